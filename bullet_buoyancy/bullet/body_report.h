@@ -1,0 +1,44 @@
+#pragma once
+
+#include <LinearMath/btVector3.h>
+
+namespace bullet_buoyancy {
+
+/// What the action did with a body in the last substep.
+enum class BodyState {
+    notAdded,    ///< the action does not know the body
+    notStepped,  ///< added, but no substep has been taken since
+    dry,         ///< above the water
+    floating,    ///< partly under water
+    submerged,   ///< wholly under water
+    asleep,      ///< left asleep; the other fields are those of its last step
+    notInWorld,  ///< not touched: removed from the world
+    notDynamic,  ///< not touched: made static or kinematic
+    notFinite,   ///< not touched: pose, velocity, mass or inertia is NaN or infinite
+};
+
+/// Which effects acted in the last substep.
+struct Modelled {
+    bool hydrostatics = false;  ///< pressure of the water at rest
+    bool linearDrag = false;
+    bool angularDamping = false;
+    bool angularMomentum = false;  ///< the library owns the spin; false: Bullet does
+};
+
+/// What the water does to a body, at the pose at the end of the last substep.
+struct BodyReport {
+    BodyState state = BodyState::notAdded;
+    Modelled modelled;
+    btVector3 forceWorld{0, 0, 0};             ///< of the water's pressure, N
+    btVector3 torqueAboutCom{0, 0, 0};         ///< of the water's pressure, world axes, N m
+    double submergedVolume = 0;                ///< m^3
+    double wetFraction = 0;                    ///< submerged volume over the hull's
+    btVector3 centreOfBuoyancyWorld{0, 0, 0};  ///< m; the centre of mass where nothing is displaced
+    double kineticEnergy = 0;                  ///< translation and rotation, at the time of the pose, J
+    double gravitationalEnergy = 0;            ///< zero at the water frame's origin, J
+    double waterPotentialEnergy = 0;           ///< rho g times the integral of depth over the displacement, J
+
+    double totalEnergy() const { return kineticEnergy + gravitationalEnergy + waterPotentialEnergy; }
+};
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "bullet_buoyancy/hull/hull_status.h"
+
+namespace bullet_buoyancy {
+
+enum class BodyError {
+    none,
+    alreadyAdded,
+    staticBody,     ///< zero mass: nothing to float
+    kinematicBody,  ///< moved by the user, not by forces
+    noShape,        ///< no collision shape, and no hull given
+    notFinite,      ///< pose, velocity, mass or inertia is NaN or infinite
+    badSettings,    ///< drag or damping negative or not finite
+    badHull,        ///< `BodyStatus::hull` says why
+};
+
+/// Whether a body floats from now on, and if not, why. A refused body is left as it was.
+struct BodyStatus {
+    BodyError error = BodyError::none;
+    HullStatus hull;            ///< refusal or remarks; empty for a hull given by the user
+    bool rotationOwned = true;  ///< false: its inverse inertia has zeros, so its rotation is left to Bullet
+
+    bool ok() const { return error == BodyError::none; }
+    explicit operator bool() const { return ok(); }
+
+    /// One line for people.
+    std::string describe() const;
+};
+
+}  // namespace bullet_buoyancy

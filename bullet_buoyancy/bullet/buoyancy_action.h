@@ -1,0 +1,60 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btActionInterface.h>
+
+#include <unordered_map>
+#include <vector>
+
+#include "bullet_buoyancy/bullet/body_def.h"
+#include "bullet_buoyancy/bullet/body_report.h"
+#include "bullet_buoyancy/bullet/body_status.h"
+#include "bullet_buoyancy/bullet/floating_body.h"
+
+namespace bullet_buoyancy {
+
+/// Floats rigid bodies in water: add it to a btDynamicsWorld with `addAction`, and bodies to it with
+/// `addBody`.
+///
+/// Every substep, after Bullet has moved the bodies, it integrates the pressure of the water over each body's
+/// hull and sets the velocities with which Bullet goes on. While a body belongs to the action, the library
+/// owns its angular momentum: Bullet's angular damping and gyroscopic forces are off for it. Gravity is the
+/// world's.
+///
+/// Not touched: bodies that sleep in still water, and bodies that are not (or no longer) in the world. A body
+/// must be removed from the action before it is deleted. The water must outlive the action. Deleting the
+/// action gives nothing back, since the bodies may be gone by then: call `removeAllBodies` where it matters.
+/// One world an action.
+class BuoyancyAction : public btActionInterface {
+public:
+    explicit BuoyancyAction(const WaterField& water) : m_water(&water) {}
+
+    /// Floats a dynamic body from the next substep on. Refused bodies are left as they were; the status says
+    /// why.
+    BodyStatus addBody(btRigidBody& body, const BodyDef& def = {});
+
+    /// Gives the body back with the angular damping and gyroscopic flags that it came with. False if not
+    /// known.
+    bool removeBody(btRigidBody& body);
+
+    void removeAllBodies();
+
+    /// What happened to the body in the last substep; valid until bodies are added or removed. For a body
+    /// that the action does not know, a report in the state `notAdded`.
+    const BodyReport& report(const btRigidBody& body) const;
+
+    std::size_t bodyCount() const { return m_bodies.size(); }
+
+    void updateAction(btCollisionWorld* world, btScalar dt) override;
+
+    /// Waterlines and wetted triangles, centres of buoyancy and mass, and the force of the water. Bullet
+    /// calls this only when the world's debug drawer draws wireframes, AABBs or normals.
+    void debugDraw(btIDebugDraw* drawer) override;
+
+private:
+    const WaterField* m_water;
+    double m_time = 0;  // simulated seconds since the action's first substep
+    std::vector<FloatingBody> m_bodies;
+    std::unordered_map<const btRigidBody*, std::size_t> m_index;
+};
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,214 @@
+#include "bullet_buoyancy/bullet/floating_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_buoyancy/bullet/convert.h"
+#include "bullet_buoyancy/hydrodynamics/wet_rate.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
+#include "bullet_buoyancy/motion/kinetic_energy.h"
+#include "bullet_buoyancy/motion/velocity_step.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+constexpr int gyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
+                                BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
+                                BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
+
+/// A wet body below this Froude number, speed / sqrt(g length), swings by less than a hundredth of its length
+/// and may fall asleep. Bullet alone would let whatever is slower than 0.8 m/s fall asleep in the middle of a
+/// swing.
+constexpr double restFroudeNumber = 0.005;
+
+bool isFinite(const btRigidBody& body) {
+    const btTransform& transform = body.getWorldTransform();
+    Vec3 sum = toEigen(transform.getOrigin()) + toEigen(body.getLinearVelocity()) +
+               toEigen(body.getAngularVelocity()) + toEigen(body.getInvInertiaDiagLocal()) +
+               Vec3::Constant(double(body.getInvMass()));
+    for (int row = 0; row < 3; ++row)
+        sum += toEigen(transform.getBasis()[row]);
+    return sum.allFinite();  // NaN and infinity survive every sum
+}
+
+bool hasInertia(const btRigidBody& body) {
+    return toEigen(body.getInvInertiaDiagLocal()).minCoeff() > 0;
+}
+
+Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double time) {
+    const Vec3 point = field.frame().pointFromWorld(pointWorld);
+    Vec3 velocity;
+    field.sampleVelocity(Eigen::Map<const Eigen::ArrayX3d>(point.data(), 1, 3), time,
+                         Eigen::Map<Eigen::ArrayX3d>(velocity.data(), 1, 3));
+    return field.frame().worldFromFrame() * velocity;
+}
+
+BodyState stateOf(double wetFraction) {
+    if (wetFraction <= 0) return BodyState::dry;
+    return wetFraction < 1 ? BodyState::floating : BodyState::submerged;
+}
+
+bool wasStepped(BodyState state) {
+    return state == BodyState::dry || state == BodyState::floating || state == BodyState::submerged;
+}
+
+bool isRate(double rate) {
+    return std::isfinite(rate) && rate >= 0;
+}
+
+}  // namespace
+
+BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
+    BodyStatus status;
+    status.rotationOwned = hasInertia(body);
+    if (!isFinite(body))
+        status.error = BodyError::notFinite;
+    else if (body.isStaticObject() || body.getInvMass() == 0)
+        status.error = BodyError::staticBody;
+    else if (body.isKinematicObject())
+        status.error = BodyError::kinematicBody;
+    else if (!isRate(def.linearDrag) || !isRate(def.angularDamping))
+        status.error = BodyError::badSettings;
+    else if (!def.hull && !body.getCollisionShape())
+        status.error = BodyError::noShape;
+    return status;
+}
+
+FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
+    : m_body(&body),
+      m_def(def),
+      m_ownsRotation(hasInertia(body)),
+      m_borrowedAngularDamping(double(body.getAngularDamping())),
+      m_borrowedGyroscopicFlags(body.getFlags() & gyroscopicFlags) {
+    m_report.state = BodyState::notStepped;
+    if (!m_ownsRotation) return;
+    body.setDamping(body.getLinearDamping(), 0);
+    body.setFlags(body.getFlags() & ~gyroscopicFlags);
+}
+
+void FloatingBody::giveBack() {
+    if (!m_ownsRotation) return;
+    m_body->setDamping(m_body->getLinearDamping(), btScalar(m_borrowedAngularDamping));
+    m_body->setFlags((m_body->getFlags() & ~gyroscopicFlags) | m_borrowedGyroscopicFlags);
+}
+
+void FloatingBody::step(const WaterNow& water, double dt) {
+    if (m_body->isStaticOrKinematicObject()) return skip(BodyState::notDynamic);
+    if (!isFinite(*m_body)) return skip(BodyState::notFinite);
+    if (staysAsleep(water)) return skip(BodyState::asleep);
+
+    const Pose pose = toPose(m_body->getWorldTransform());
+    const HydrostaticResult pressure = evaluateExact(hull(), pose, water.field, {water.gravity, water.time});
+    const Wetness wet = wetness(pressure.submergedVolume);
+    double kineticEnergy = stepTranslation(water, pose, pressure, wet, dt);
+    kineticEnergy += m_ownsRotation ? stepRotation(pose, pressure.torqueAboutCom, wet, dt)
+                                    : stepBulletsRotation(pressure.torqueAboutCom, wet, dt);
+    if (wet.fraction > 0) keepAwakeWhileMoving(water, kineticEnergy);
+    writeReport(water, pose, pressure, wet, kineticEnergy);
+}
+
+/// Still water lets sleeping bodies lie; moving water wakes those it may reach.
+bool FloatingBody::staysAsleep(const WaterNow& water) const {
+    if (m_body->isActive()) return false;
+    if (water.bounds.still) return true;
+    const Pose pose = toPose(m_body->getWorldTransform());
+    const Vec3 centre = pose.position + pose.orientation * hull().bounds.centre;
+    const double lowest = water.field.frame().pointFromWorld(centre).z() - hull().bounds.radius;
+    if (lowest > water.bounds.elevation) return true;
+    m_body->activate();
+    return !m_body->isActive();
+}
+
+FloatingBody::Wetness FloatingBody::wetness(double submergedVolume) const {
+    const double fraction = std::clamp(submergedVolume / hull().moments.volume, 0.0, 1.0);
+    return {fraction, wetRate(m_def.linearDrag, fraction, m_def.scaleByWetFraction),
+            wetRate(m_def.angularDamping, fraction, m_def.scaleByWetFraction)};
+}
+
+/// A body that is woken in the middle of a stepSimulation has no forces, not even gravity, for the rest of
+/// it, but water to carry it: the velocity that gravity owes it.
+Vec3 FloatingBody::missedGravity(double dt) {
+    if (m_body->getTotalForce().length2() > 0) {
+        m_wokenWithoutGravity = false;
+    } else if (m_report.state == BodyState::asleep) {
+        m_wokenWithoutGravity = true;  // but in the substep that woke it, the water did not carry it either
+    } else if (m_wokenWithoutGravity) {
+        return dt * toEigen(m_body->getGravity());
+    }
+    return Vec3::Zero();
+}
+
+/// Sets the velocity; returns the kinetic energy at the pose.
+double FloatingBody::stepTranslation(const WaterNow& water, const Pose& pose,
+                                     const HydrostaticResult& pressure, const Wetness& wet, double dt) {
+    LinearLoad load;
+    load.acceleration = double(m_body->getInvMass()) * pressure.forceWorld;
+    load.gravity = toEigen(m_body->getGravity());
+    load.dragRate = wet.dragRate;
+    if (wet.dragRate > 0 && !water.bounds.still)
+        load.mediumVelocity =
+            waterVelocityAt(water.field, pose.position + pressure.centreOfBuoyancyFromCom, water.time);
+
+    const btVector3 before = m_body->getLinearVelocity();
+    const VelocityStep step = stepVelocity(toEigen(before) + missedGravity(dt), load, dt);
+    const Vec3 change = (step.forEngine - toEigen(before)).cwiseProduct(toEigen(m_body->getLinearFactor()));
+    m_body->setLinearVelocity(toBullet(toEigen(before) + change));
+    return translationalEnergy(1 / double(m_body->getInvMass()), step.atPose);
+}
+
+/// Sets the angular velocity by the momentum; returns the energy of rotation at the pose.
+double FloatingBody::stepRotation(const Pose& pose, const Vec3& torque, const Wetness& wet, double dt) {
+    const RotationalInertia inertia{pose.worldFromBody(),
+                                    toEigen(m_body->getInvInertiaDiagLocal()).cwiseInverse()};
+    const Vec3 arrival = toEigen(m_body->getAngularVelocity());
+    if (wasStepped(m_report.state))
+        m_momentum.absorb(inertia, arrival, dt);
+    else
+        m_momentum.restart(inertia, arrival, dt);
+
+    const Vec3 before = m_momentum.value();
+    const Vec3 freeAxes = toEigen(m_body->getAngularFactor());
+    m_momentum.step(torque, wet.dampingRate, dt);
+    if (freeAxes != Vec3::Ones()) m_momentum.lockAxes(inertia, freeAxes);
+    m_body->setAngularVelocity(toBullet(inertia.spin(m_momentum.value())));
+    m_momentum.handOver(inertia, toEigen(m_body->getAngularVelocity()));
+
+    const Vec3 atPose = (before + m_momentum.value()) / 2;
+    return rotationalEnergy(atPose, inertia.spin(atPose));
+}
+
+/// For a body that cannot be turned about some axis (inverse inertia 0): an impulse, as Bullet would take it.
+double FloatingBody::stepBulletsRotation(const Vec3& torque, const Wetness& wet, double dt) {
+    const DampedStep damped(wet.dampingRate, dt);
+    m_body->setAngularVelocity(btScalar(damped.decay) * m_body->getAngularVelocity());
+    m_body->applyTorqueImpulse(toBullet(damped.gain * torque));
+    const Vec3 spinInBody =
+        toPose(m_body->getWorldTransform()).orientation.conjugate() * toEigen(m_body->getAngularVelocity());
+    return rotationalEnergy(toEigen(m_body->getLocalInertia()).cwiseProduct(spinInBody), spinInBody);
+}
+
+void FloatingBody::keepAwakeWhileMoving(const WaterNow& water, double kineticEnergy) {
+    const double length = 2 * hull().bounds.radius;
+    const double restSpeed2 = restFroudeNumber * restFroudeNumber * water.gravity * length;
+    const double speed2 = 2 * kineticEnergy * double(m_body->getInvMass());
+    if (!water.bounds.still || speed2 > restSpeed2) m_body->activate();
+}
+
+void FloatingBody::writeReport(const WaterNow& water, const Pose& pose, const HydrostaticResult& pressure,
+                               const Wetness& wet, double kineticEnergy) {
+    m_report.state = stateOf(wet.fraction);
+    m_report.modelled = {wet.fraction > 0, wet.dragRate > 0, wet.dampingRate > 0, m_ownsRotation};
+    m_report.forceWorld = toBullet(pressure.forceWorld);
+    m_report.torqueAboutCom = toBullet(pressure.torqueAboutCom);
+    m_report.submergedVolume = pressure.submergedVolume;
+    m_report.wetFraction = wet.fraction;
+    m_report.centreOfBuoyancyWorld = toBullet(pose.position + pressure.centreOfBuoyancyFromCom);
+    m_report.kineticEnergy = kineticEnergy;
+    m_report.gravitationalEnergy =
+        -toEigen(m_body->getGravity()).dot(pose.position - water.field.frame().originWorld()) /
+        double(m_body->getInvMass());
+    m_report.waterPotentialEnergy = pressure.potentialEnergy;
+}
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,10 @@
+#pragma once
+
+/// All that a user of Bullet includes.
+
+#include "bullet_buoyancy/bullet/precision.h"
+
+#include "bullet_buoyancy/bullet/buoyancy_action.h"
+#include "bullet_buoyancy/bullet/hull_from_shape.h"
+#include "bullet_buoyancy/motion/damping.h"
+#include "bullet_buoyancy/water/flat_water.h"

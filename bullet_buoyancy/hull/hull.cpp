@@ -1,0 +1,154 @@
+#include "bullet_buoyancy/hull/hull.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/hull/mesh_repair.h"
+#include "bullet_buoyancy/hull/overlap.h"
+#include "bullet_buoyancy/hull/tessellate.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+/// A mesh near enough to a part to tell whether parts overlap.
+TriangleMesh roughMesh(const TriangleMesh& mesh) {
+    return mesh;
+}
+TriangleMesh roughMesh(const Sphere& sphere) {
+    return tessellate(sphere, 3);
+}
+TriangleMesh roughMesh(const SolidOfRevolution& solid) {
+    return tessellate(solid, 48);
+}
+
+bool isSheet(const TriangleMesh& mesh, const VolumeMoments& moments) {
+    return std::abs(moments.volume) <= flatnessTolerance * std::pow(meshSize(mesh), 3);
+}
+
+bool isSheet(const Sphere&, const VolumeMoments& moments) {
+    return moments.volume <= 0;
+}
+bool isSheet(const SolidOfRevolution&, const VolumeMoments& moments) {
+    return moments.volume <= 0;
+}
+
+bool isFinite(const VolumeMoments& moments) {
+    return std::isfinite(moments.volume) && moments.firstMoment.allFinite();
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& part) {
+    const auto offset = std::uint32_t(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
+    for (const Triangle& t : part.triangles)
+        mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+struct AddTo {
+    Hull& hull;
+    void operator()(const TriangleMesh& mesh) const { append(hull.mesh, mesh); }
+    void operator()(const Sphere& sphere) const { hull.spheres.push_back(sphere); }
+    void operator()(const SolidOfRevolution& solid) const { hull.solids.push_back(solid); }
+};
+
+/// Repairs, checks and notes one part.
+VolumeMoments takeIn(HullPart& part, HullStatus& status) {
+    if (auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        const MeshFindings findings = repairMesh(*mesh);
+        if (findings.error != HullError::none) status.error = findings.error;
+        status.weldedVertices += findings.weldedVertices;
+        status.degenerateTriangles += findings.degenerateTriangles;
+        status.flippedTriangles += findings.flippedTriangles;
+        status.openEdges += findings.openEdges;
+        if (status.accepted() && mesh->triangles.empty()) status.error = HullError::noTriangles;
+    }
+    if (!status.accepted()) return {};
+    const auto measure = [](const auto& p) { return volumeMoments(p); };
+    const VolumeMoments moments = std::visit(measure, part);
+    if (!isFinite(moments))
+        status.error = HullError::notFinite;
+    else if (std::visit([&](const auto& p) { return isSheet(p, moments); }, part))
+        status.error = HullError::noVolume;
+    return moments;
+}
+
+void noteOverlaps(const std::vector<HullPart>& parts, const std::vector<VolumeMoments>& moments,
+                  HullStatus& status) {
+    if (parts.size() < 2) return;
+    std::vector<TriangleMesh> meshes;
+    for (const HullPart& part : parts)
+        meshes.push_back(std::visit([](const auto& p) { return roughMesh(p); }, part));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t j = i + 1; j < parts.size(); ++j) {
+            const double overlap = overlapVolume(meshes[i], meshes[j]);
+            if (overlap <= overlapTolerance * std::min(moments[i].volume, moments[j].volume)) continue;
+            ++status.overlappingPairs;
+            status.overlapVolume += overlap;
+        }
+}
+
+/// Centred in the bounding box.
+Sphere boundingSphere(const Hull& hull) {
+    Eigen::AlignedBox3d box;
+    const auto extend = [&](const Vec3& centre, double radius) {
+        box.extend(centre - Vec3::Constant(radius));
+        box.extend(centre + Vec3::Constant(radius));
+    };
+    for (const Vec3& vertex : hull.mesh.vertices)
+        box.extend(vertex);
+    for (const Sphere& sphere : hull.spheres)
+        extend(sphere.centre, sphere.radius);
+    std::vector<Sphere> ends;
+    for (const SolidOfRevolution& solid : hull.solids)
+        for (const ProfilePiece& piece : solid.profile) {
+            const double middle = (piece.begin + piece.end) / 2;
+            // The widest radius of a piece is at an end or, on a sphere, at its centre.
+            double widest = std::max(piece.radiusSquared(piece.begin), piece.radiusSquared(piece.end));
+            if (piece.c2 < 0) widest = std::max(widest, piece.c0 - piece.c1 * piece.c1 / (4 * piece.c2));
+            ends.push_back(
+                {solid.origin + middle * solid.axis, std::hypot(std::sqrt(widest), piece.end - middle)});
+            extend(ends.back().centre, ends.back().radius);
+        }
+    Sphere bounds{box.center(), 0};
+    const auto reach = [&](const Vec3& centre, double radius) {
+        bounds.radius = std::max(bounds.radius, (centre - bounds.centre).norm() + radius);
+    };
+    for (const Vec3& vertex : hull.mesh.vertices)
+        reach(vertex, 0);
+    for (const Sphere& sphere : hull.spheres)
+        reach(sphere.centre, sphere.radius);
+    for (const Sphere& end : ends)
+        reach(end.centre, end.radius);
+    return bounds;
+}
+
+}  // namespace
+
+HullResult makeHull(std::vector<HullPart> parts) {
+    HullStatus status;
+    if (parts.empty()) status.error = HullError::noTriangles;
+    std::vector<VolumeMoments> moments;
+    auto hull = std::make_shared<Hull>();
+    for (HullPart& part : parts) {
+        moments.push_back(takeIn(part, status));
+        if (!status.accepted()) return {nullptr, status};
+        hull->moments += moments.back();
+        hull->surfaceArea += std::visit([](const auto& p) { return surfaceArea(p); }, part);
+        std::visit(AddTo{*hull}, part);
+    }
+    if (!status.accepted()) return {nullptr, status};
+    noteOverlaps(parts, moments, status);
+    hull->meshIsClosed = status.openEdges == 0;
+    hull->bounds = boundingSphere(*hull);
+    return {hull, status};
+}
+
+HullResult makeHull(TriangleMesh mesh) {
+    std::vector<HullPart> parts;
+    parts.emplace_back(std::move(mesh));
+    return makeHull(std::move(parts));
+}
+
+}  // namespace bullet_buoyancy

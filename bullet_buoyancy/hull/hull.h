@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "bullet_buoyancy/hull/hull_status.h"
+#include "bullet_buoyancy/hull/solid_of_revolution.h"
+#include "bullet_buoyancy/hull/sphere.h"
+
+namespace bullet_buoyancy {
+
+/// What the water can wet of a body, in the body's frame, whose origin is its centre of mass. Made once by
+/// `makeHull`, never changed, shared by as many bodies as have the shape.
+struct Hull {
+    TriangleMesh mesh;  ///< all triangles: welded, outward
+    std::vector<Sphere> spheres;
+    std::vector<SolidOfRevolution> solids;
+
+    bool meshIsClosed = true;  ///< no edge of `mesh` is open: what it encloses is well defined
+    VolumeMoments moments;     ///< of everything; where parts overlap, counted as often as they do
+    double surfaceArea = 0;    ///< of everything, m^2
+    Sphere bounds;             ///< encloses everything
+};
+
+using HullPart = std::variant<TriangleMesh, Sphere, SolidOfRevolution>;
+
+struct HullResult {
+    std::shared_ptr<const Hull> hull;  ///< null if refused
+    HullStatus status;
+};
+
+/// Repairs each mesh (see `repairMesh`), measures, and looks for parts that overlap.
+HullResult makeHull(std::vector<HullPart> parts);
+HullResult makeHull(TriangleMesh mesh);
+
+}  // namespace bullet_buoyancy

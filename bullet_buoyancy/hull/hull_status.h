@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace bullet_buoyancy {
+
+enum class HullError {
+    none,
+    unsupportedShape,  ///< `HullStatus::reason` says why
+    noTriangles,       ///< nothing to wet
+    badIndices,        ///< a triangle names a vertex that does not exist
+    notFinite,         ///< a coordinate, a volume or a moment is NaN or infinite
+    flatPoints,        ///< the points of a convex hull lie in one plane
+    noVolume,          ///< the surface encloses no volume
+};
+
+/// Why a hull was refused, or what was remarked about one that was accepted.
+struct HullStatus {
+    HullError error = HullError::none;
+    const char* reason = "";              ///< static text, for `unsupportedShape`
+    std::size_t weldedVertices = 0;       ///< repeated or unused vertices taken out
+    std::size_t degenerateTriangles = 0;  ///< triangles without area taken out
+    std::size_t flippedTriangles = 0;     ///< triangles turned outward
+    std::size_t openEdges = 0;            ///< above 0: pressure acts on the triangles that are there
+    std::size_t overlappingPairs = 0;     ///< pairs of parts that overlap and displace the water there twice
+    double overlapVolume = 0;             ///< estimate of what is displaced twice, m^3
+    double tessellationError =
+        0;  ///< of smooth shapes without a formula: share of the volume that is uncertain
+
+    bool accepted() const { return error == HullError::none; }
+
+    /// One line for people: the refusal, or the remarks, or "ok".
+    std::string describe() const;
+};
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "bullet_buoyancy/core/pose.h"
+#include "bullet_buoyancy/hull/hull.h"
+
+namespace bullet_buoyancy {
+
+/// The part scaled by `scale` (above 0) about its origin, then turned and moved by `pose`.
+HullPart placed(const HullPart& part, const Pose& pose, double scale = 1);
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,18 @@
+#include "bullet_buoyancy/hull/sphere.h"
+
+#include <cmath>
+
+#include "bullet_buoyancy/core/constants.h"
+
+namespace bullet_buoyancy {
+
+VolumeMoments volumeMoments(const Sphere& sphere) {
+    const double volume = 4 * pi / 3 * std::pow(sphere.radius, 3);
+    return {volume, volume * sphere.centre};
+}
+
+double surfaceArea(const Sphere& sphere) {
+    return 4 * pi * sphere.radius * sphere.radius;
+}
+
+}  // namespace bullet_buoyancy

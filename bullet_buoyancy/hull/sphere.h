@@ -1,0 +1,17 @@
+#pragma once
+
+#include "bullet_buoyancy/hull/volume_moments.h"
+
+namespace bullet_buoyancy {
+
+struct Sphere {
+    Vec3 centre = Vec3::Zero();  ///< in the body's frame, m
+    double radius = 0;           ///< m
+};
+
+VolumeMoments volumeMoments(const Sphere& sphere);
+
+/// m^2
+double surfaceArea(const Sphere& sphere);
+
+}  // namespace bullet_buoyancy

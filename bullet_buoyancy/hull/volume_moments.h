@@ -1,0 +1,28 @@
+#pragma once
+
+#include "bullet_buoyancy/hull/triangle_mesh.h"
+
+namespace bullet_buoyancy {
+
+/// Volume and first moment of a solid about the origin of its frame.
+struct VolumeMoments {
+    double volume = 0;                ///< m^3
+    Vec3 firstMoment = Vec3::Zero();  ///< integral of the position over the volume, m^4
+
+    Vec3 centroid() const { return firstMoment / volume; }
+
+    VolumeMoments& operator+=(const VolumeMoments& other) {
+        volume += other.volume;
+        firstMoment += other.firstMoment;
+        return *this;
+    }
+};
+
+/// What the surface encloses, by the divergence theorem: positive if its triangles face outward. For an open
+/// mesh, the solid between the surface and the mean of its vertices.
+VolumeMoments volumeMoments(const TriangleMesh& mesh);
+
+/// Sum of the triangles' areas, m^2.
+double surfaceArea(const TriangleMesh& mesh);
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/core/pose.h"
+#include "bullet_buoyancy/hull/hull.h"
+#include "bullet_buoyancy/water/water_field.h"
+
+namespace bullet_buoyancy {
+
+/// What to evaluate. The extras cost only where asked for.
+struct HydrostaticQuery {
+    double gravity = standardGravity;  ///< along the water frame's down, m/s^2
+    double time = 0;                   ///< s, for water that moves
+    bool wettedArea = false;
+    bool waterplane = false;
+};
+
+/// The section of a body at the water's surface; r runs from the centre of mass, in world axes.
+/// Defined by -integral of (..) n_up over the wet surface: for an open mesh that is not the section.
+struct Waterplane {
+    double area = 0;                   ///< m^2
+    Vec3 firstMoment = Vec3::Zero();   ///< integral of r, m^3
+    Mat3 secondMoment = Mat3::Zero();  ///< integral of r r^T, m^4
+};
+
+/// What the pressure of the water does to a body. Pressure is gauge pressure: zero at the surface, no air.
+struct HydrostaticResult {
+    Vec3 forceWorld = Vec3::Zero();               ///< N
+    Vec3 torqueAboutCom = Vec3::Zero();           ///< world axes, N m
+    double submergedVolume = 0;                   ///< displacement, m^3
+    Vec3 centreOfBuoyancyFromCom = Vec3::Zero();  ///< world axes, m; zero where nothing is displaced
+    double potentialEnergy = 0;  ///< rho g times the integral of depth over the displacement, J
+    double wettedArea = 0;       ///< m^2, if asked for
+    Waterplane waterplane;       ///< if asked for
+};
+
+}  // namespace bullet_buoyancy

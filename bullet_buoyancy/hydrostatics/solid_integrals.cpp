@@ -1,0 +1,192 @@
+#include "bullet_buoyancy/hydrostatics/solid_integrals.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bullet_buoyancy/core/quadrature.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+/// A solid's axis seen from the water. Axial coordinates x count from `origin`; within a section, s runs
+/// along `rising`, the direction in the section in which depth falls fastest: depth(x, s) = depthAtOrigin -
+/// upAlong x
+/// - upAcross s.
+struct AxisInWater {
+    Vec3 origin, axis, rising;
+    double upAlong;
+    double upAcross;  // >= 0
+    double depthAtOrigin;
+
+    double depth(double x) const { return depthAtOrigin - upAlong * x; }
+};
+
+/// Sums over the solid in axial coordinates: integrals over the displaced volume of 1, x, s and depth.
+struct AxialSums {
+    double volume = 0, xMoment = 0, sMoment = 0, depthVolume = 0;
+};
+
+AxisInWater axisInWater(const SolidOfRevolution& solid, const WaterPlane& plane) {
+    AxisInWater view;
+    view.origin = solid.origin;
+    view.axis = solid.axis;
+    view.upAlong = plane.upInBody.dot(solid.axis);
+    const Vec3 across = plane.upInBody - view.upAlong * solid.axis;
+    view.upAcross = across.norm();
+    view.rising = view.upAcross > 0 ? Vec3(across / view.upAcross) : solid.axis.unitOrthogonal();
+    view.depthAtOrigin = plane.depth(solid.origin);
+    return view;
+}
+
+/// Moves the origin to where a steep axis crosses the surface: the depth there is exactly 0, and no digits
+/// cancel between the depth and the nearly upright section.
+double shiftToSurface(AxisInWater& view) {
+    if (std::abs(view.upAlong) <= view.upAcross) return 0;
+    const double shift = view.depthAtOrigin / view.upAlong;
+    view.origin += shift * view.axis;
+    view.depthAtOrigin = 0;
+    return shift;
+}
+
+ProfilePiece shifted(const ProfilePiece& piece, double shift) {
+    return {piece.begin - shift, piece.end - shift, piece.radiusSquared(shift),
+            piece.c1 + 2 * shift * piece.c2, piece.c2};
+}
+
+/// Ends of the stretches of a piece in which sections are wholly dry, wholly wet or cut: its own ends and,
+/// between them, the roots of upAcross^2 radius^2 - depth^2.
+std::array<double, 4> stretchEnds(const ProfilePiece& piece, const AxisInWater& view) {
+    const double across2 = view.upAcross * view.upAcross;
+    const double p0 = across2 * piece.c0 - view.depthAtOrigin * view.depthAtOrigin;
+    const double p1 = across2 * piece.c1 + 2 * view.depthAtOrigin * view.upAlong;
+    const double p2 = across2 * piece.c2 - view.upAlong * view.upAlong;
+    const double discriminant = std::max(0.0, p1 * p1 - 4 * p0 * p2);
+    const double q = -(p1 + std::copysign(std::sqrt(discriminant), p1)) / 2;
+    const auto within = [&](double x) {
+        return std::isfinite(x) ? std::clamp(x, piece.begin, piece.end) : piece.begin;
+    };
+    double root1 = within(q / p2), root2 = within(p0 / q);
+    if (q == 0) root1 = root2 = within(0);
+    return {piece.begin, std::min(root1, root2), std::max(root1, root2), piece.end};
+}
+
+void addWholeSections(const ProfilePiece& piece, const AxisInWater& view, double begin, double end,
+                      AxialSums& sums) {
+    const auto moment = [&](int n) {
+        const auto integral = [&](double x) {
+            return std::pow(x, n + 1) *
+                   (piece.c0 / (n + 1) + x * (piece.c1 / (n + 2) + x * piece.c2 / (n + 3)));
+        };
+        return pi * (integral(end) - integral(begin));
+    };
+    const double volume = moment(0), xMoment = moment(1);
+    sums.volume += volume;
+    sums.xMoment += xMoment;
+    sums.depthVolume += view.depthAtOrigin * volume - view.upAlong * xMoment;
+}
+
+/// A section of radius r that the surface cuts at s = c, half a chord w to either side: wet where s < c.
+struct CutSection {
+    double c, w, radiusSquared;
+
+    CutSection(double depth, double upAcross, double radius2)
+        : c(depth / upAcross), w(std::sqrt(std::max(0.0, radius2 - c * c))), radiusSquared(radius2) {}
+
+    double wetAngle() const { return pi + 2 * std::atan2(c, w); }  // of the circle, 0 to 2 pi
+    double area() const { return radiusSquared * wetAngle() / 2 + c * w; }
+    double sMoment() const { return -2 * w * w * w / 3; }
+};
+
+void addCutSections(const ProfilePiece& piece, const AxisInWater& view, double begin, double end,
+                    const HydrostaticQuery& query, AxialSums& sums, WetIntegrals& integrals) {
+    static const SineQuadrature<16> quadrature;
+    const Vec3 sideways = view.axis.cross(view.rising);
+    quadrature.over(begin, end, [&](double x, double weight) {
+        const CutSection section(view.depth(x), view.upAcross, piece.radiusSquared(x));
+        const double area = weight * section.area(), sMoment = weight * section.sMoment();
+        sums.volume += area;
+        sums.xMoment += x * area;
+        sums.sMoment += sMoment;
+        sums.depthVolume += view.depth(x) * area - view.upAcross * sMoment;
+        if (query.wettedArea)
+            integrals.wettedArea += weight * section.wetAngle() * piece.radiusTimesArcLength(x);
+        if (query.waterplane) {
+            const double strip = weight * 2 * section.w / view.upAcross;
+            integrals.addWaterplane(strip, view.origin + x * view.axis + section.c * view.rising,
+                                    strip * section.w * section.w / 3 * sideways * sideways.transpose());
+        }
+    });
+}
+
+/// The waterplane of a solid whose axis stands exactly upright: a disc.
+void addUprightWaterplane(const ProfilePiece& piece, const AxisInWater& view, WetIntegrals& integrals) {
+    if (!(piece.begin <= 0 && 0 < piece.end)) return;
+    const Mat3 horizontal = Mat3::Identity() - view.axis * view.axis.transpose();
+    integrals.addWaterplane(pi * piece.c0, view.origin, pi * piece.c0 * piece.c0 / 4 * horizontal);
+}
+
+double wetDiscArea(const AxisInWater& view, double x, double radiusSquared) {
+    if (std::abs(view.depth(x)) < view.upAcross * std::sqrt(radiusSquared))
+        return CutSection(view.depth(x), view.upAcross, radiusSquared).area();
+    return view.depth(x) > 0 ? pi * radiusSquared : 0;
+}
+
+void addPiece(const ProfilePiece& piece, const AxisInWater& view, const HydrostaticQuery& query,
+              AxialSums& sums, WetIntegrals& integrals) {
+    const std::array<double, 4> ends = stretchEnds(piece, view);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double begin = ends[i], end = ends[i + 1], middle = (begin + end) / 2;
+        if (!(end > begin)) continue;
+        const double reach = view.upAcross * std::sqrt(std::max(0.0, piece.radiusSquared(middle)));
+        if (std::abs(view.depth(middle)) < reach) {
+            addCutSections(piece, view, begin, end, query, sums, integrals);
+        } else if (view.depth(middle) > 0) {
+            addWholeSections(piece, view, begin, end, sums);
+            if (query.wettedArea)
+                integrals.wettedArea += 2 * pi * piece.radiusTimesArcLength(middle) * (end - begin);
+        }
+    }
+    if (query.waterplane && view.upAcross == 0) addUprightWaterplane(piece, view, integrals);
+}
+
+}  // namespace
+
+void addSphere(const Sphere& sphere, const WaterPlane& plane, const HydrostaticQuery& query,
+               WetIntegrals& integrals) {
+    const double radius = sphere.radius;
+    const double centreDepth = plane.depth(sphere.centre);
+    const double immersion = std::clamp(centreDepth + radius, 0.0, 2 * radius);
+    if (immersion == 0) return;
+    const double volume = pi * immersion * immersion * (radius - immersion / 3);
+    // The circle in which the surface cuts the sphere has this squared radius; 0 if it does not.
+    const double waterline2 = immersion * (2 * radius - immersion);
+    const double centreMoment = pi / 4 * waterline2 * waterline2;  // of height above the centre, negated
+    integrals.addDisplacement(plane.upInBody, volume, volume * sphere.centre - centreMoment * plane.upInBody,
+                              centreDepth * volume + centreMoment);
+    if (query.wettedArea) integrals.wettedArea += 2 * pi * radius * immersion;
+    if (query.waterplane)
+        integrals.addWaterplane(
+            pi * waterline2, sphere.centre + centreDepth * plane.upInBody,
+            centreMoment * (Mat3::Identity() - plane.upInBody * plane.upInBody.transpose()));
+}
+
+void addSolid(const SolidOfRevolution& solid, const WaterPlane& plane, const HydrostaticQuery& query,
+              WetIntegrals& integrals) {
+    AxisInWater view = axisInWater(solid, plane);
+    const double shift = shiftToSurface(view);
+    AxialSums sums;
+    for (const ProfilePiece& piece : solid.profile)
+        addPiece(shifted(piece, shift), view, query, sums, integrals);
+    integrals.addDisplacement(
+        plane.upInBody, sums.volume,
+        sums.volume * view.origin + sums.xMoment * view.axis + sums.sMoment * view.rising, sums.depthVolume);
+    if (query.wettedArea)
+        for (const auto& [piece, x] : {std::pair(solid.profile.front(), solid.profile.front().begin),
+                                       std::pair(solid.profile.back(), solid.profile.back().end)})
+            integrals.wettedArea += wetDiscArea(view, x - shift, std::max(0.0, piece.radiusSquared(x)));
+}
+
+}  // namespace bullet_buoyancy

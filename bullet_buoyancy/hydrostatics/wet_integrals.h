@@ -1,0 +1,42 @@
+#pragma once
+
+#include "bullet_buoyancy/hydrostatics/hydrostatics.h"
+#include "bullet_buoyancy/water/water_plane.h"
+
+namespace bullet_buoyancy {
+
+/// Integrals over the wet surface and over the displaced volume, in the body's frame about its origin, before
+/// density and gravity. n is the outward normal, d the depth.
+struct WetIntegrals {
+    Vec3 depthNormal = Vec3::Zero();   ///< of d n over the surface, m^3
+    Vec3 depthTorque = Vec3::Zero();   ///< of x cross d n over the surface, m^4
+    double volume = 0;                 ///< m^3
+    Vec3 volumeMoment = Vec3::Zero();  ///< of x over the volume, m^4
+    double depthVolume = 0;            ///< of d over the volume, m^4
+    double wettedArea = 0;             ///< m^2
+    Waterplane waterplane;             ///< about the body's origin, in its axes
+
+    WetIntegrals& operator+=(const WetIntegrals& other);
+
+    /// A closed piece of the displacement: by Archimedes its pressure acts upward through its centre.
+    void addDisplacement(const Vec3& up, double pieceVolume, const Vec3& pieceMoment,
+                         double pieceDepthVolume) {
+        depthNormal -= pieceVolume * up;
+        depthTorque -= pieceMoment.cross(up);
+        volume += pieceVolume;
+        volumeMoment += pieceMoment;
+        depthVolume += pieceDepthVolume;
+    }
+
+    /// A piece of the waterplane of given area, centre and second moment about that centre.
+    void addWaterplane(double area, const Vec3& centre, const Mat3& centralSecondMoment) {
+        waterplane.area += area;
+        waterplane.firstMoment += area * centre;
+        waterplane.secondMoment += area * centre * centre.transpose() + centralSecondMoment;
+    }
+};
+
+/// From the body's frame to the world's axes, with density (kg/m^3) and gravity (m/s^2).
+HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, double density, double gravity);
+
+}  // namespace bullet_buoyancy

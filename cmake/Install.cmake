@@ -1,0 +1,31 @@
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/bullet_buoyancy")
+
+install(TARGETS bullet_buoyancy_core bullet_buoyancy
+    EXPORT bullet_buoyancy
+    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(EXPORT bullet_buoyancy
+    NAMESPACE bullet_buoyancy::
+    FILE bullet_buoyancyTargets.cmake
+    DESTINATION "${package_dir}")
+
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/bullet_buoyancy" "${PROJECT_BINARY_DIR}/include/bullet_buoyancy"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    FILES_MATCHING PATTERN "*.h")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+configure_file(
+    "${PROJECT_SOURCE_DIR}/cmake/bullet_buoyancyConfig.cmake.in"
+    "${PROJECT_BINARY_DIR}/bullet_buoyancyConfig.cmake"
+    @ONLY)
+write_basic_package_version_file(
+    "${PROJECT_BINARY_DIR}/bullet_buoyancyConfigVersion.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(
+    FILES
+        "${PROJECT_BINARY_DIR}/bullet_buoyancyConfig.cmake"
+        "${PROJECT_BINARY_DIR}/bullet_buoyancyConfigVersion.cmake"
+        "${PROJECT_SOURCE_DIR}/cmake/FindBulletPhysics.cmake"
+    DESTINATION "${package_dir}")

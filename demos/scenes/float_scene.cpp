@@ -1,0 +1,91 @@
+#include "scenes/float_scene.h"
+
+#include <cmath>
+
+#include "bullet_buoyancy/bullet/convert.h"
+
+namespace bullet_buoyancy::scenes {
+
+namespace {
+
+btTransform toTransform(const Pose& pose) {
+    const Eigen::Quaterniond& q = pose.orientation;
+    return btTransform(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),
+                       toBullet(pose.position));
+}
+
+}  // namespace
+
+FloatScene::FloatScene(const SceneDef& def)
+    : m_water(def.frame, {def.waterDensity, def.flowVelocityWorld}),
+      m_buoyancy(m_water),
+      m_world(std::make_unique<btDiscreteDynamicsWorld>(&m_dispatcher, &m_broadphase, &m_solver,
+                                                        &m_configuration)) {
+    m_world->setGravity(toBullet(-def.gravity * def.frame.upWorld()));
+    m_world->addAction(&m_buoyancy);
+}
+
+FloatScene::~FloatScene() {
+    m_world->removeAction(&m_buoyancy);
+    for (const auto& body : m_bodies)
+        m_world->removeRigidBody(body.get());
+}
+
+btRigidBody& FloatScene::addBody(std::unique_ptr<btCollisionShape> shape, double mass, const Pose& pose) {
+    btVector3 inertia(0, 0, 0);
+    if (mass > 0) shape->calculateLocalInertia(btScalar(mass), inertia);
+    return addBody(std::move(shape), mass, toEigen(inertia), pose);
+}
+
+btRigidBody& FloatScene::addBody(std::unique_ptr<btCollisionShape> shape, double mass, const Vec3& inertia,
+                                 const Pose& pose) {
+    btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, shape.get(), toBullet(inertia));
+    info.m_startWorldTransform = toTransform(pose);
+    auto body = std::make_unique<btRigidBody>(info);
+    if (mass > 0) body->setActivationState(DISABLE_DEACTIVATION);
+    m_world->addRigidBody(body.get());
+    m_shapes.push_back(std::move(shape));
+    m_bodies.push_back(std::move(body));
+    return *m_bodies.back();
+}
+
+btRigidBody& FloatScene::addFloatingBox(const Vec3& size, double ratio, const Pose& pose,
+                                        const BodyDef& def) {
+    auto shape = std::make_unique<btBoxShape>(toBullet(size / 2));
+    btRigidBody& body = addBody(std::move(shape), ratio * m_water.density() * size.prod(), pose);
+    m_buoyancy.addBody(body, def);
+    return body;
+}
+
+btRigidBody& FloatScene::addStatic(std::unique_ptr<btCollisionShape> shape, const Pose& pose) {
+    return addBody(std::move(shape), 0, pose);
+}
+
+void FloatScene::step(double dt, int substeps) {
+    const auto fixedStep = btScalar(dt / substeps);
+    if (substeps == 1)
+        m_world->stepSimulation(fixedStep, 0);
+    else
+        m_world->stepSimulation(fixedStep * btScalar(substeps), substeps, fixedStep);
+    m_time += dt;
+}
+
+void FloatScene::run(double seconds, double dt, int substeps) {
+    const long steps = std::lround(seconds / dt);
+    for (long i = 0; i < steps; ++i)
+        step(dt, substeps);
+}
+
+Pose poseOf(const btRigidBody& body) {
+    return toPose(body.getWorldTransform());
+}
+
+double heightAboveWater(const btRigidBody& body, const WaterField& water) {
+    return water.frame().pointFromWorld(toEigen(body.getWorldTransform().getOrigin())).z();
+}
+
+Vec3 upInBody(const btRigidBody& body, const WaterField& water) {
+    return poseOf(body).orientation.conjugate() * water.frame().upWorld();
+}
+
+}  // namespace bullet_buoyancy::scenes

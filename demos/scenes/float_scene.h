@@ -1,0 +1,74 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+#include <bullet_buoyancy/bullet_buoyancy.h>
+
+#include <memory>
+#include <vector>
+
+namespace bullet_buoyancy::scenes {
+
+struct SceneDef {
+    WaterFrame frame = WaterFrame::zUp();
+    double waterDensity = freshWaterDensity;  ///< kg/m^3
+    Vec3 flowVelocityWorld = Vec3::Zero();    ///< m/s
+    double gravity = standardGravity;         ///< against the frame's up, m/s^2
+};
+
+/// A Bullet world with flat water in it, and one buoyancy action for all bodies.
+class FloatScene {
+public:
+    explicit FloatScene(const SceneDef& def = {});
+    ~FloatScene();
+    FloatScene(const FloatScene&) = delete;
+    FloatScene& operator=(const FloatScene&) = delete;
+
+    /// A dynamic body of `mass` (kg) with Bullet's own inertia for the shape, kept awake; it floats by itself
+    /// only.
+    btRigidBody& addBody(std::unique_ptr<btCollisionShape> shape, double mass, const Pose& pose);
+
+    /// The same with given principal moments of inertia (kg m^2).
+    btRigidBody& addBody(std::unique_ptr<btCollisionShape> shape, double mass, const Vec3& inertia,
+                         const Pose& pose);
+
+    /// A box of given size (m) that floats. `ratio`: its density over the water's.
+    btRigidBody& addFloatingBox(const Vec3& size, double ratio, const Pose& pose, const BodyDef& def = {});
+
+    btRigidBody& addStatic(std::unique_ptr<btCollisionShape> shape, const Pose& pose);
+
+    /// `substeps` of `dt` / `substeps` each in one call of stepSimulation.
+    void step(double dt, int substeps = 1);
+
+    /// Steps until `seconds` more have been simulated.
+    void run(double seconds, double dt, int substeps = 1);
+
+    btDiscreteDynamicsWorld& world() { return *m_world; }
+    BuoyancyAction& buoyancy() { return m_buoyancy; }
+    const FlatWater& water() const { return m_water; }
+
+    /// Simulated seconds.
+    double time() const { return m_time; }
+
+private:
+    btDefaultCollisionConfiguration m_configuration;
+    btCollisionDispatcher m_dispatcher{&m_configuration};
+    btDbvtBroadphase m_broadphase;
+    btSequentialImpulseConstraintSolver m_solver;
+    std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
+    std::vector<std::unique_ptr<btRigidBody>> m_bodies;
+    FlatWater m_water;
+    BuoyancyAction m_buoyancy;
+    std::unique_ptr<btDiscreteDynamicsWorld> m_world;
+    double m_time = 0;
+};
+
+/// Pose of a body in double precision.
+Pose poseOf(const btRigidBody& body);
+
+/// Height of the body's centre of mass above still water, m.
+double heightAboveWater(const btRigidBody& body, const WaterField& water);
+
+/// The water's up in the body's axes, unit length.
+Vec3 upInBody(const btRigidBody& body, const WaterField& water);
+
+}  // namespace bullet_buoyancy::scenes

@@ -1,0 +1,46 @@
+// Floats a crate for 20 s and checks its draft: a 1 m cube of 300 kg in water of 1000 kg/m^3 floats 0.3 m
+// deep.
+
+#include <btBulletDynamicsCommon.h>
+#include <bullet_buoyancy/bullet_buoyancy.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+int main() {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    auto world = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher, &broadphase, &solver, &configuration);
+    world->setGravity(btVector3(0, btScalar(-9.81), 0));
+
+    btBoxShape box(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+    const btScalar mass = 300;
+    btVector3 inertia;
+    box.calculateLocalInertia(mass, inertia);
+    auto crate = std::make_unique<btRigidBody>(mass, nullptr, &box, inertia);
+    world->addRigidBody(crate.get());
+
+    // [readme: begin]
+    bullet_buoyancy::FlatWater sea(bullet_buoyancy::WaterFrame::yUp());
+    bullet_buoyancy::BuoyancyAction buoyancy(sea);
+    if (!buoyancy.addBody(*crate)) return 1;
+    world->addAction(&buoyancy);
+
+    for (int frame = 0; frame < 20 * 60; ++frame) {
+        world->stepSimulation(1 / 60.f);
+    }
+    const auto& report = buoyancy.report(*crate);
+    std::printf("submerged: %.4f m^3\n", report.submergedVolume);
+    // [readme: end]
+
+    const double draft = 0.5 - double(crate->getWorldTransform().getOrigin().y());
+    std::printf("draft: %.4f m\n", draft);
+    const bool floats = std::abs(draft - 0.3) < 0.01 && std::abs(report.submergedVolume - 0.3) < 0.01;
+
+    world->removeAction(&buoyancy);
+    world->removeRigidBody(crate.get());
+    return floats ? 0 : 1;
+}

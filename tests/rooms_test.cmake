@@ -1,0 +1,72 @@
+# Checks who includes whom in the library: each room may include the rooms it lists, itself among them, and only
+# bullet/ may know Bullet. Run as: cmake -D LIBRARY_DIR=<path of bullet_buoyancy/> -P rooms_test.cmake
+
+cmake_minimum_required(VERSION 3.25)
+
+set(core_may_include core)
+set(water_may_include core water)
+set(hull_may_include core hull)
+set(hydrostatics_may_include core water hull hydrostatics)
+set(hydrodynamics_may_include core water hull hydrostatics hydrodynamics)
+set(motion_may_include core motion)
+set(bullet_may_include core water hull hydrostatics hydrodynamics motion bullet)
+# The headers at the top, such as bullet_buoyancy.h, collect the rooms for the user.
+set(top_may_include ${bullet_may_include})
+
+file(GLOB_RECURSE files RELATIVE "${LIBRARY_DIR}"
+    "${LIBRARY_DIR}/*.h" "${LIBRARY_DIR}/*.hpp" "${LIBRARY_DIR}/*.inl" "${LIBRARY_DIR}/*.cpp")
+if(NOT files)
+    message(FATAL_ERROR "There are no sources in \"${LIBRARY_DIR}\".")
+endif()
+
+set(offenders "")
+foreach(file IN LISTS files)
+    if(file MATCHES "^([^/]+)/")
+        set(room ${CMAKE_MATCH_1})
+    else()
+        set(room top)
+    endif()
+    if(NOT DEFINED ${room}_may_include)
+        list(APPEND offenders "${file}: no rules are known for the room ${room}/")
+        continue()
+    endif()
+
+    set(allowed "^<[a-z0-9_]+>$" "^<Eigen/[A-Za-z]+>$")
+    foreach(other IN LISTS ${room}_may_include)
+        list(APPEND allowed "^[<\"]bullet_buoyancy/${other}/[^/]+\\.h[>\"]$")
+    endforeach()
+    if(room STREQUAL "top" OR room STREQUAL "bullet")
+        list(APPEND allowed "^[<\"]bullet_buoyancy/[^/]+\\.h[>\"]$")
+    endif()
+    if(room STREQUAL "bullet")
+        list(APPEND allowed "^[<\"](Bullet[A-Za-z0-9]+/|LinearMath/).+\\.h[>\"]$" "^[<\"]bt[A-Za-z0-9]+\\.h[>\"]$")
+    endif()
+
+    # The newline in front stands for the line start, which CMake's ^ would match only once. The semicolons and
+    # brackets of the code would come apart in a CMake list.
+    file(READ "${LIBRARY_DIR}/${file}" text)
+    string(REGEX REPLACE "[][;\\]" " " text "\n${text}")
+    string(REGEX MATCHALL "\n[ \t]*#[ \t]*include[^\n]*" lines "${text}")
+    foreach(line IN LISTS lines)
+        string(REGEX REPLACE "^\n[ \t]*#[ \t]*include[ \t]*" "" include "${line}")
+        if(include MATCHES "^(<[^>]*>|\"[^\"]*\")")
+            set(include "${CMAKE_MATCH_1}")
+        endif()
+        set(is_allowed FALSE)
+        foreach(pattern IN LISTS allowed)
+            if(include MATCHES "${pattern}")
+                set(is_allowed TRUE)
+            endif()
+        endforeach()
+        if(NOT is_allowed)
+            list(APPEND offenders "${file}: ${include}")
+        endif()
+    endforeach()
+endforeach()
+
+list(LENGTH files count)
+if(offenders)
+    list(JOIN offenders "\n  " offenders)
+    message(FATAL_ERROR "Includes across the rooms' rules:\n  ${offenders}")
+endif()
+message(STATUS "rooms: ${count} files keep to their rooms")
