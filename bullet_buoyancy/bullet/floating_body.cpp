@@ -6,7 +6,7 @@
 #include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/hydrodynamics/wet_rate.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
-#include "bullet_buoyancy/motion/kinetic_energy.h"
+#include "bullet_buoyancy/motion/energy.h"
 #include "bullet_buoyancy/motion/velocity_step.h"
 
 namespace bullet_buoyancy {
@@ -100,12 +100,11 @@ void FloatingBody::step(const WaterNow& water, double dt) {
 
     const Pose pose = toPose(m_body->getWorldTransform());
     const HydrostaticResult pressure = evaluateExact(hull(), pose, water.field, {water.gravity, water.time});
-    const Wetness wet = wetness(pressure.submergedVolume);
-    double kineticEnergy = stepTranslation(water, pose, pressure, wet, dt);
-    kineticEnergy += m_ownsRotation ? stepRotation(pose, pressure.torqueAboutCom, wet, dt)
-                                    : stepBulletsRotation(pressure.torqueAboutCom, wet, dt);
-    if (wet.fraction > 0) keepAwakeWhileMoving(water, kineticEnergy);
-    writeReport(water, pose, pressure, wet, kineticEnergy);
+    const Substep substep{water, dt, pose, pressure, wetness(pressure.submergedVolume), owed(dt)};
+    double kineticEnergy = stepTranslation(substep);
+    kineticEnergy += m_ownsRotation ? stepRotation(substep) : stepBulletsRotation(substep);
+    if (substep.wet.fraction > 0) keepAwakeWhileMoving(water, kineticEnergy);
+    writeReport(substep, kineticEnergy);
 }
 
 /// Still water lets sleeping bodies lie; moving water wakes those it may reach.
@@ -126,39 +125,46 @@ FloatingBody::Wetness FloatingBody::wetness(double submergedVolume) const {
             wetRate(m_def.angularDamping, fraction, m_def.scaleByWetFraction)};
 }
 
-/// A body that is woken in the middle of a stepSimulation has no forces, not even gravity, for the rest of
-/// it, but water to carry it: the velocity that gravity owes it.
-Vec3 FloatingBody::missedGravity(double dt) {
-    if (m_body->getTotalForce().length2() > 0) {
-        m_wokenWithoutGravity = false;
-    } else if (m_report.state == BodyState::asleep) {
-        m_wokenWithoutGravity = true;  // but in the substep that woke it, the water did not carry it either
-    } else if (m_wokenWithoutGravity) {
-        return dt * toEigen(m_body->getGravity());
-    }
-    return Vec3::Zero();
+/// Gravity and water must carry a body through the same substeps. In the first one that the action sees,
+/// gravity alone acted on the body; if it was woken in the middle of a stepSimulation, neither did, and for
+/// the rest of that the water alone does, since Bullet applies gravity only at the start.
+FloatingBody::Owed FloatingBody::owed(double dt) {
+    const bool gravityActed = m_body->getTotalForce().length2() > 0;
+    const bool waterActed = wasStepped(m_report.state);
+    m_wokenWithoutGravity = !gravityActed && (m_wokenWithoutGravity || m_report.state == BodyState::asleep);
+    return {gravityActed && !waterActed ? dt : 0, waterActed && m_wokenWithoutGravity ? dt : 0};
+}
+
+/// By contacts, joints and the user in the substep that has passed.
+Vec3 FloatingBody::accelerationByOthers(double dt) const {
+    if (!wasStepped(m_report.state) || m_wokenWithoutGravity) return Vec3::Zero();
+    return (toEigen(m_body->getLinearVelocity()) - m_handedVelocity) / dt - toEigen(m_body->getGravity());
 }
 
 /// Sets the velocity; returns the kinetic energy at the pose.
-double FloatingBody::stepTranslation(const WaterNow& water, const Pose& pose,
-                                     const HydrostaticResult& pressure, const Wetness& wet, double dt) {
+double FloatingBody::stepTranslation(const Substep& substep) {
+    const auto& [water, dt, pose, pressure, wet, owed] = substep;
     LinearLoad load;
     load.acceleration = double(m_body->getInvMass()) * pressure.forceWorld;
     load.gravity = toEigen(m_body->getGravity());
+    load.othersAcceleration = accelerationByOthers(dt);
     load.dragRate = wet.dragRate;
     if (wet.dragRate > 0 && !water.bounds.still)
         load.mediumVelocity =
             waterVelocityAt(water.field, pose.position + pressure.centreOfBuoyancyFromCom, water.time);
 
-    const btVector3 before = m_body->getLinearVelocity();
-    const VelocityStep step = stepVelocity(toEigen(before) + missedGravity(dt), load, dt);
-    const Vec3 change = (step.forEngine - toEigen(before)).cwiseProduct(toEigen(m_body->getLinearFactor()));
-    m_body->setLinearVelocity(toBullet(toEigen(before) + change));
+    const Vec3 before = toEigen(m_body->getLinearVelocity());
+    const Vec3 arrival = before + owed.byWater * load.acceleration + owed.byGravity * load.gravity;
+    const VelocityStep step = stepVelocity(arrival, load, dt);
+    const Vec3 change = (step.forEngine - before).cwiseProduct(toEigen(m_body->getLinearFactor()));
+    m_body->setLinearVelocity(toBullet(before + change));
+    m_handedVelocity = toEigen(m_body->getLinearVelocity());
     return translationalEnergy(1 / double(m_body->getInvMass()), step.atPose);
 }
 
 /// Sets the angular velocity by the momentum; returns the energy of rotation at the pose.
-double FloatingBody::stepRotation(const Pose& pose, const Vec3& torque, const Wetness& wet, double dt) {
+double FloatingBody::stepRotation(const Substep& substep) {
+    const auto& [water, dt, pose, pressure, wet, owed] = substep;
     const RotationalInertia inertia{pose.worldFromBody(),
                                     toEigen(m_body->getInvInertiaDiagLocal()).cwiseInverse()};
     const Vec3 arrival = toEigen(m_body->getAngularVelocity());
@@ -166,10 +172,11 @@ double FloatingBody::stepRotation(const Pose& pose, const Vec3& torque, const We
         m_momentum.absorb(inertia, arrival, dt);
     else
         m_momentum.restart(inertia, arrival, dt);
+    m_momentum.addImpulse(owed.byWater * pressure.torqueAboutCom);
 
     const Vec3 before = m_momentum.value();
     const Vec3 freeAxes = toEigen(m_body->getAngularFactor());
-    m_momentum.step(torque, wet.dampingRate, dt);
+    m_momentum.step(pressure.torqueAboutCom, wet.dampingRate, dt);
     if (freeAxes != Vec3::Ones()) m_momentum.lockAxes(inertia, freeAxes);
     m_body->setAngularVelocity(toBullet(inertia.spin(m_momentum.value())));
     m_momentum.handOver(inertia, toEigen(m_body->getAngularVelocity()));
@@ -179,12 +186,12 @@ double FloatingBody::stepRotation(const Pose& pose, const Vec3& torque, const We
 }
 
 /// For a body that cannot be turned about some axis (inverse inertia 0): an impulse, as Bullet would take it.
-double FloatingBody::stepBulletsRotation(const Vec3& torque, const Wetness& wet, double dt) {
-    const DampedStep damped(wet.dampingRate, dt);
+double FloatingBody::stepBulletsRotation(const Substep& substep) {
+    const DampedStep damped(substep.wet.dampingRate, substep.dt);
     m_body->setAngularVelocity(btScalar(damped.decay) * m_body->getAngularVelocity());
-    m_body->applyTorqueImpulse(toBullet(damped.gain * torque));
-    const Vec3 spinInBody =
-        toPose(m_body->getWorldTransform()).orientation.conjugate() * toEigen(m_body->getAngularVelocity());
+    m_body->applyTorqueImpulse(
+        toBullet((substep.dt + substep.owed.byWater) * substep.pressure.torqueAboutCom));
+    const Vec3 spinInBody = substep.pose.orientation.conjugate() * toEigen(m_body->getAngularVelocity());
     return rotationalEnergy(toEigen(m_body->getLocalInertia()).cwiseProduct(spinInBody), spinInBody);
 }
 
@@ -195,8 +202,9 @@ void FloatingBody::keepAwakeWhileMoving(const WaterNow& water, double kineticEne
     if (!water.bounds.still || speed2 > restSpeed2) m_body->activate();
 }
 
-void FloatingBody::writeReport(const WaterNow& water, const Pose& pose, const HydrostaticResult& pressure,
-                               const Wetness& wet, double kineticEnergy) {
+void FloatingBody::writeReport(const Substep& substep, double kineticEnergy) {
+    const auto& [water, dt, pose, pressure, wet, owed] = substep;
+    const Vec3 fromOrigin = pose.position - water.field.frame().originWorld();
     m_report.state = stateOf(wet.fraction);
     m_report.modelled = {wet.fraction > 0, wet.dragRate > 0, wet.dampingRate > 0, m_ownsRotation};
     m_report.forceWorld = toBullet(pressure.forceWorld);
@@ -206,8 +214,7 @@ void FloatingBody::writeReport(const WaterNow& water, const Pose& pose, const Hy
     m_report.centreOfBuoyancyWorld = toBullet(pose.position + pressure.centreOfBuoyancyFromCom);
     m_report.kineticEnergy = kineticEnergy;
     m_report.gravitationalEnergy =
-        -toEigen(m_body->getGravity()).dot(pose.position - water.field.frame().originWorld()) /
-        double(m_body->getInvMass());
+        gravitationalEnergy(1 / double(m_body->getInvMass()), toEigen(m_body->getGravity()), fromOrigin);
     m_report.waterPotentialEnergy = pressure.potentialEnergy;
 }
 

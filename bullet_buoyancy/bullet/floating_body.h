@@ -47,16 +47,29 @@ private:
         double fraction, dragRate, dampingRate;
     };
 
+    /// Times (s) for which forces have yet to act that Bullet or the action left out.
+    struct Owed {
+        double byWater, byGravity;
+    };
+
+    struct Substep {
+        const WaterNow& water;
+        double dt;
+        Pose pose;
+        HydrostaticResult pressure;
+        Wetness wet;
+        Owed owed;
+    };
+
     bool staysAsleep(const WaterNow& water) const;
     Wetness wetness(double submergedVolume) const;
-    Vec3 missedGravity(double dt);
-    double stepTranslation(const WaterNow& water, const Pose& pose, const HydrostaticResult& pressure,
-                           const Wetness& wet, double dt);
-    double stepRotation(const Pose& pose, const Vec3& torque, const Wetness& wet, double dt);
-    double stepBulletsRotation(const Vec3& torque, const Wetness& wet, double dt);
+    Owed owed(double dt);
+    Vec3 accelerationByOthers(double dt) const;
+    double stepTranslation(const Substep& substep);
+    double stepRotation(const Substep& substep);
+    double stepBulletsRotation(const Substep& substep);
     void keepAwakeWhileMoving(const WaterNow& water, double kineticEnergy);
-    void writeReport(const WaterNow& water, const Pose& pose, const HydrostaticResult& pressure,
-                     const Wetness& wet, double kineticEnergy);
+    void writeReport(const Substep& substep, double kineticEnergy);
 
     btRigidBody* m_body;
     BodyDef m_def;
@@ -64,6 +77,7 @@ private:
     double m_borrowedAngularDamping;
     int m_borrowedGyroscopicFlags;
     AngularMomentum m_momentum;
+    Vec3 m_handedVelocity = Vec3::Zero();  // m/s, as Bullet was given it
     bool m_wokenWithoutGravity = false;
     BodyReport m_report;
 };

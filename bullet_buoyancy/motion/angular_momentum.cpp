@@ -14,16 +14,17 @@ RotationalInertia RotationalInertia::beforeTurning(const Vec3& spin, double dt) 
 
 void AngularMomentum::restart(const RotationalInertia& inertia, const Vec3& spin, double dt) {
     m_momentum = inertia.beforeTurning(spin, dt).momentum(spin);
+    m_absorbed.setZero();
 }
 
 void AngularMomentum::absorb(const RotationalInertia& inertia, const Vec3& spin, double dt) {
     if (inertia.principal != m_handedInertia.principal) return restart(inertia, spin, dt);
-    m_momentum += m_handedInertia.momentum(spin - m_handedSpin);
+    m_absorbed = m_handedInertia.momentum(spin - m_handedSpin);
+    m_momentum += m_absorbed;
 }
 
 void AngularMomentum::step(const Vec3& torque, double dampingRate, double dt) {
-    const DampedStep damped(dampingRate, dt);
-    m_momentum = damped.decay * m_momentum + damped.gain * torque;
+    m_momentum = DampedStep(dampingRate, dt).advance(m_momentum, torque, m_absorbed / dt);
 }
 
 void AngularMomentum::lockAxes(const RotationalInertia& inertia, const Vec3& freeAxes) {

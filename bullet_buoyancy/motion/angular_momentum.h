@@ -38,6 +38,9 @@ public:
     /// keeps the spin.
     void absorb(const RotationalInertia& inertia, const Vec3& spin, double dt);
 
+    /// kg m^2/s, world axes
+    void addImpulse(const Vec3& impulse) { m_momentum += impulse; }
+
     /// Adds `torque` (N m) for the step and damps, see DampedStep.
     void step(const Vec3& torque, double dampingRate, double dt);
 
@@ -49,6 +52,7 @@ public:
 
 private:
     Vec3 m_momentum = Vec3::Zero();
+    Vec3 m_absorbed = Vec3::Zero();  // by the last call of absorb
     RotationalInertia m_handedInertia;
     Vec3 m_handedSpin = Vec3::Zero();
 };

@@ -1,0 +1,249 @@
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "bullet_buoyancy/bullet/convert.h"
+#include "scenes/float_scene.h"
+
+namespace bullet_buoyancy::test {
+namespace {
+
+using scenes::FloatScene;
+using scenes::heightAboveWater;
+
+constexpr double dt = 1.0 / 60;
+constexpr btScalar nan = std::numeric_limits<btScalar>::quiet_NaN();
+
+Pose at(const Vec3& position) {
+    return {position, Eigen::Quaterniond::Identity()};
+}
+
+std::unique_ptr<btCollisionShape> crateShape() {
+    return std::make_unique<btBoxShape>(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+}
+
+/// What must be the same of a body that was refused or given back.
+struct Borrowed {
+    btScalar linearDamping, angularDamping;
+    int flags;
+
+    explicit Borrowed(const btRigidBody& body)
+        : linearDamping(body.getLinearDamping()),
+          angularDamping(body.getAngularDamping()),
+          flags(body.getFlags()) {}
+
+    bool operator==(const Borrowed& other) const {
+        return linearDamping == other.linearDamping && angularDamping == other.angularDamping &&
+               flags == other.flags;
+    }
+};
+
+TEST(AddBody, RefusesWhatCannotFloatAndSaysWhy) {
+    FloatScene scene;
+    const auto refused = [&](btRigidBody& body, BodyError why, const char* text, const BodyDef& def = {}) {
+        const Borrowed before(body);
+        const BodyStatus status = scene.buoyancy().addBody(body, def);
+        EXPECT_FALSE(status) << text;
+        EXPECT_EQ(status.error, why) << text;
+        EXPECT_NE(status.describe().find(text), std::string::npos) << status.describe();
+        EXPECT_TRUE(before == Borrowed(body)) << text;
+        EXPECT_EQ(scene.buoyancy().report(body).state, BodyState::notAdded);
+    };
+    refused(scene.addStatic(crateShape(), at({0, 0, 0})), BodyError::staticBody, "static");
+
+    btRigidBody& kinematic = scene.addBody(crateShape(), 300, at({2, 0, 0}));
+    kinematic.setCollisionFlags(kinematic.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    refused(kinematic, BodyError::kinematicBody, "kinematic");
+
+    btRigidBody& lost = scene.addBody(crateShape(), 300, at({4, 0, 0}));
+    lost.setLinearVelocity({nan, 0, 0});
+    refused(lost, BodyError::notFinite, "not finite");
+    lost.setLinearVelocity({0, 0, 0});
+
+    btRigidBody& fine = scene.addBody(crateShape(), 300, at({6, 0, 0}));
+    BodyDef def;
+    def.linearDrag = -1;
+    refused(fine, BodyError::badSettings, "drag", def);
+    def.linearDrag = 0;
+    def.angularDamping = std::numeric_limits<double>::quiet_NaN();
+    refused(fine, BodyError::badSettings, "damping", def);
+
+    btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+    fine.setCollisionShape(&plane);
+    refused(fine, BodyError::badHull, "plane");
+    fine.setCollisionShape(nullptr);
+    refused(fine, BodyError::noShape, "no collision shape");
+    fine.setCollisionShape(lost.getCollisionShape());
+}
+
+TEST(AddBody, TakesABodyOnlyOnce) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addBody(crateShape(), 300, at({0, 0, 0}));
+    EXPECT_TRUE(scene.buoyancy().addBody(crate));
+    EXPECT_EQ(scene.buoyancy().addBody(crate).error, BodyError::alreadyAdded);
+    EXPECT_EQ(scene.buoyancy().bodyCount(), 1u);
+}
+
+TEST(RemoveBody, GivesDampingAndGyroscopicFlagsBack) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addBody(crateShape(), 300, at({0, 0, 0}));
+    crate.setDamping(btScalar(0.1), btScalar(0.3));
+    crate.setFlags(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD | BT_DISABLE_WORLD_GRAVITY);
+    const Borrowed before(crate);
+
+    scene.buoyancy().addBody(crate);
+    EXPECT_EQ(crate.getAngularDamping(), 0);
+    EXPECT_EQ(crate.getLinearDamping(), btScalar(0.1));
+    EXPECT_EQ(crate.getFlags(), BT_DISABLE_WORLD_GRAVITY);
+    scene.run(0.5, dt);
+    EXPECT_TRUE(scene.buoyancy().removeBody(crate));
+    EXPECT_TRUE(before == Borrowed(crate));
+    EXPECT_FALSE(scene.buoyancy().removeBody(crate));
+}
+
+TEST(RemoveBody, LeavesTheOthersFloating) {
+    FloatScene scene;
+    std::vector<btRigidBody*> crates;
+    for (int i = 0; i < 4; ++i)
+        crates.push_back(&scene.addFloatingBox({3, 3, 1}, 0.5, at({5.0 * i, 0, 0.5})));
+    EXPECT_TRUE(scene.buoyancy().removeBody(*crates[1]));
+    scene.run(30, dt);
+    for (std::size_t i : {0u, 2u, 3u})
+        EXPECT_NEAR(scene.buoyancy().report(*crates[i]).wetFraction, 0.5, 1e-4) << i;
+    EXPECT_EQ(scene.buoyancy().report(*crates[1]).state, BodyState::notAdded);
+    EXPECT_LT(heightAboveWater(*crates[1], scene.water()), -100);  // it sank
+    scene.buoyancy().removeAllBodies();
+    EXPECT_EQ(scene.buoyancy().bodyCount(), 0u);
+}
+
+/// The address sanitizer watches over this one.
+TEST(RemoveBody, ABodyDeletedAfterwardsIsNeverTouched) {
+    FloatScene scene;
+    btRigidBody& other = scene.addFloatingBox({3, 3, 1}, 0.5, at({5, 0, 0.5}));
+    const auto shape = crateShape();
+    auto crate = std::make_unique<btRigidBody>(
+        btRigidBody::btRigidBodyConstructionInfo(300, nullptr, shape.get(), btVector3(50, 50, 50)));
+    scene.world().addRigidBody(crate.get());
+    ASSERT_TRUE(scene.buoyancy().addBody(*crate));
+    scene.run(0.5, dt);
+    scene.buoyancy().removeBody(*crate);
+    scene.world().removeRigidBody(crate.get());
+    crate.reset();
+    scene.run(0.5, dt);
+    EXPECT_EQ(scene.buoyancy().report(other).state, BodyState::floating);
+}
+
+TEST(ABodyOutOfTheWorld, IsNotTouchedAndFloatsAgainWhenItIsBack) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addFloatingBox({3, 3, 1}, 0.5, at({0, 0, -0.3}));
+    scene.run(0.2, dt);
+    scene.world().removeRigidBody(&crate);
+    const btVector3 velocity = crate.getLinearVelocity();
+    scene.run(0.5, dt);
+    EXPECT_EQ(crate.getLinearVelocity(), velocity);
+    EXPECT_EQ(scene.buoyancy().report(crate).state, BodyState::notInWorld);
+    scene.world().addRigidBody(&crate);
+    scene.run(30, dt);
+    EXPECT_NEAR(scene.buoyancy().report(crate).wetFraction, 0.5, 1e-4);
+}
+
+TEST(ABodyMadeKinematic, IsLeftAloneAndFloatsAgainAfterwards) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addFloatingBox({3, 3, 1}, 0.5, at({0, 0, 0.2}));
+    scene.run(0.2, dt);
+    const int flags = crate.getCollisionFlags();
+    crate.setCollisionFlags(flags | btCollisionObject::CF_KINEMATIC_OBJECT);
+    const btVector3 position = crate.getWorldTransform().getOrigin();
+    scene.run(0.5, dt);
+    EXPECT_EQ(scene.buoyancy().report(crate).state, BodyState::notDynamic);
+    EXPECT_EQ(crate.getWorldTransform().getOrigin(), position);
+    crate.setCollisionFlags(flags);
+    scene.run(30, dt);
+    EXPECT_NEAR(scene.buoyancy().report(crate).wetFraction, 0.5, 1e-4);
+}
+
+TEST(ABodyThatTurnsNotFinite, IsReportedAndLeavesTheOthersFloating) {
+    FloatScene scene;
+    btRigidBody& lost = scene.addFloatingBox({3, 3, 1}, 0.5, at({0, 0, 0.2}));
+    btRigidBody& other = scene.addFloatingBox({3, 3, 1}, 0.5, at({9, 0, 0.2}));
+    scene.run(0.2, dt);
+    // Out of Bullet's sight, whose own broadphase cannot hold it.
+    lost.setAngularVelocity({nan, 0, 0});
+    scene.buoyancy().updateAction(&scene.world(), btScalar(dt));
+    EXPECT_EQ(scene.buoyancy().report(lost).state, BodyState::notFinite);
+    EXPECT_EQ(scene.buoyancy().report(other).state, BodyState::floating);
+    lost.setAngularVelocity({0, 0, 0});
+    scene.run(30, dt);
+    EXPECT_NEAR(scene.buoyancy().report(lost).wetFraction, 0.5, 1e-4);
+}
+
+TEST(ABodyWhoseMassChanges, FloatsAtItsNewDraft) {
+    FloatScene scene;
+    btRigidBody& barge = scene.addFloatingBox({3, 3, 1}, 0.3, at({0, 0, 0.2}));
+    scene.run(10, dt);
+    btVector3 inertia;
+    barge.getCollisionShape()->calculateLocalInertia(6300, inertia);
+    barge.setMassProps(6300, inertia);
+    barge.updateInertiaTensor();
+    scene.run(30, dt);
+    EXPECT_NEAR(scene.buoyancy().report(barge).submergedVolume, 6.3, 1e-3);
+}
+
+TEST(ABodyWhoseInertiaChanges, KeepsItsSpin) {
+    FloatScene scene;
+    BodyDef def;
+    def.linearDrag = def.angularDamping = 0;
+    btRigidBody& top = scene.addFloatingBox({1, 1, 1}, 1, at({0, 0, -10}), def);
+    top.setAngularVelocity({0, 0, 3});
+    scene.run(1, dt);
+    top.setMassProps(1000, btVector3(500, 500, 500));
+    top.updateInertiaTensor();
+    scene.run(1, dt);
+    EXPECT_NEAR(double(top.getAngularVelocity().z()), 3, 1e-5);
+}
+
+/// Forgotten calculateLocalInertia: it floats, but cannot turn.
+TEST(ABodyWithoutInertia, FloatsWithItsRotationLeftToBullet) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addBody(crateShape(), 500, Vec3::Zero(), at({0, 0, 0.3}));
+    crate.setDamping(0, btScalar(0.2));
+    const Borrowed before(crate);
+    const BodyStatus status = scene.buoyancy().addBody(crate);
+    EXPECT_TRUE(status);
+    EXPECT_FALSE(status.rotationOwned);
+    EXPECT_TRUE(before == Borrowed(crate));
+    scene.run(30, dt);
+    EXPECT_NEAR(scene.buoyancy().report(crate).wetFraction, 0.5, 1e-4);
+    EXPECT_FALSE(scene.buoyancy().report(crate).modelled.angularMomentum);
+}
+
+TEST(AnAbsurdTimeStep, DoesNothing) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addFloatingBox({1, 1, 1}, 0.5, at({0, 0, 0}));
+    for (btScalar step : {btScalar(0), btScalar(-1), nan}) {
+        scene.buoyancy().updateAction(&scene.world(), step);
+        EXPECT_EQ(crate.getLinearVelocity().length(), 0);
+        EXPECT_EQ(scene.buoyancy().report(crate).state, BodyState::notStepped);
+    }
+}
+
+/// Compound parts that overlap are taken, and said to displace twice.
+TEST(AddBody, PassesTheHullsRemarksOn) {
+    FloatScene scene;
+    auto compound = std::make_unique<btCompoundShape>();
+    const auto part = crateShape();
+    compound->addChildShape(btTransform::getIdentity(), part.get());
+    compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(0.5), 0, 0)),
+                            part.get());
+    btRigidBody& body = scene.addBody(std::move(compound), 300, at({0, 0, 0}));
+    const BodyStatus status = scene.buoyancy().addBody(body);
+    EXPECT_TRUE(status);
+    EXPECT_EQ(status.hull.overlappingPairs, 1u);
+    EXPECT_NEAR(status.hull.overlapVolume, 0.5, 1e-6);  // aligned boxes: the columns are exact
+    EXPECT_NE(status.describe().find("overlap"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::test

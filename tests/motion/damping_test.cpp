@@ -1,0 +1,109 @@
+#include "bullet_buoyancy/motion/damping.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bullet_buoyancy/hydrodynamics/wet_rate.h"
+#include "bullet_buoyancy/motion/velocity_step.h"
+
+namespace bullet_buoyancy::test {
+namespace {
+
+constexpr double rounding = 1e-14;
+const Vec3 none = Vec3::Zero();
+
+TEST(DampedStep, IsTheExactSolutionForAConstantLoad) {
+    for (double rate : {1e-9, 0.1, 3.0, 100.0})
+        for (double dt : {1e-4, 1.0 / 60, 1.0}) {
+            const Vec3 start(2, -1, 0), load(0.5, 3, 0);
+            const Vec3 terminal = load / rate;
+            const Vec3 expected = terminal + std::exp(-rate * dt) * (start - terminal);
+            const Vec3 result = DampedStep(rate, dt).advance(start, load, none);
+            // The closed form cancels where the terminal velocity is large against the change.
+            EXPECT_LT((result - expected).norm(), rounding * (4 + 4 * terminal.norm())) << rate << ' ' << dt;
+        }
+}
+
+TEST(DampedStep, ManySmallOnesAreOneLarge) {
+    Vec3 value(1, 2, 3);
+    const Vec3 load(-1, 0.5, 0), large = DampedStep(2, 1).advance(value, load, none);
+    for (int i = 0; i < 1000; ++i)
+        value = DampedStep(2, 1e-3).advance(value, load, none);
+    EXPECT_LT((value - large).norm(), 1000 * rounding);
+}
+
+TEST(DampedStep, WithoutARateIsAPlainKick) {
+    EXPECT_EQ(DampedStep(0, 0.5).advance({1, 0, 0}, {0, 4, 0}, none), Vec3(1, 2, 0));
+}
+
+TEST(DampedStep, NeverReversesAMotion) {
+    for (double rate : {1.0, 1e3, 1e9, 1e300}) {
+        const double left = DampedStep(rate, 0.1).advance({1, 0, 0}, none, none).x();
+        EXPECT_GE(left, 0) << rate;
+        EXPECT_LT(left, 1) << rate;
+    }
+}
+
+/// A body that contacts hold gets all of its load to press against them with, however strong the drag.
+TEST(DampedStep, OfABodyThatIsHeldPressesWithTheWholeLoad) {
+    const Vec3 load(0, 0, -9.8);
+    EXPECT_LT((DampedStep(50, 0.1).advance(none, load, -load) - 0.1 * load).norm(), rounding * 10);
+}
+
+/// A blow in the step before is no load that lasts.
+TEST(DampedStep, IsNotMisledByAnImpact) {
+    const Vec3 load(0, 0, -9.8), blow(0, 0, 600);
+    EXPECT_EQ(DampedStep(50, 0.1).advance({1, 0, 0}, load, blow),
+              DampedStep(50, 0.1).advance({1, 0, 0}, load, none));
+}
+
+TEST(DampingRate, GivesThePublishedFactorInItsTick) {
+    EXPECT_NEAR(std::exp(-0.02 * dampingRate(0.98, 0.02)), 0.98, rounding);
+    EXPECT_NEAR(std::exp(-0.02 * dampingRate(0.95, 0.02)), 0.95, rounding);
+    EXPECT_EQ(dampingRate(1, 0.02), 0);
+}
+
+TEST(VelocityStep, AtRestAfloatLeavesTheEnginesGravityToBeCancelled) {
+    LinearLoad load;
+    load.gravity = {0, 0, -9.8};
+    load.acceleration = -load.gravity;
+    load.dragRate = 3;
+    const VelocityStep step = stepVelocity(none, load, 0.1);
+    EXPECT_EQ(step.forEngine, -0.1 * load.gravity);
+    EXPECT_EQ(step.atPose, none);
+}
+
+TEST(VelocityStep, ReachesTheTerminalVelocityAtAnyStep) {
+    for (double dt : {1.0 / 240, 1.0 / 60, 0.5}) {
+        LinearLoad load;
+        load.gravity = {0, 0, -9.8};
+        load.acceleration = {0, 0, 4.9};
+        load.dragRate = 2;
+        Vec3 velocity = none;
+        for (double time = 0; time < 30; time += dt)
+            velocity = stepVelocity(velocity, load, dt).forEngine + dt * load.gravity;
+        EXPECT_NEAR(velocity.z(), -2.45, 100 * rounding) << dt;
+    }
+}
+
+TEST(VelocityStep, DriftsWithTheMedium) {
+    LinearLoad load;
+    load.dragRate = 1e6;
+    load.mediumVelocity = {1, 2, 0};
+    EXPECT_LT((stepVelocity({-5, 0, 0}, load, 0.1).forEngine - load.mediumVelocity).norm(), rounding * 10);
+}
+
+TEST(WetRate, IsInProportionToWhatIsWet) {
+    EXPECT_EQ(wetRate(3, 0, true), 0);
+    EXPECT_EQ(wetRate(3, 0.25, true), 0.75);
+    EXPECT_EQ(wetRate(3, 1, true), 3);
+}
+
+TEST(WetRate, AsPublishedIsFullWheneverWet) {
+    EXPECT_EQ(wetRate(3, 0, false), 0);
+    EXPECT_EQ(wetRate(3, 1e-6, false), 3);
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::test
