@@ -4,8 +4,8 @@
 
 file(READ "${README}" readme)
 file(READ "${PROGRAM}" program)
-string(REGEX MATCH "readme: begin\\]\n(.*)    // \\[readme: end" found "${program}")
-string(REGEX REPLACE "(^|\n)    " "\\1" lines "${CMAKE_MATCH_1}")
+string(REGEX MATCH "readme: begin\\](\n.*\n)    // \\[readme: end" found "${program}")
+string(REPLACE "\n    " "\n" lines "${CMAKE_MATCH_1}")
 if(lines STREQUAL "")
     message(FATAL_ERROR "No lines between the markers in ${PROGRAM}")
 endif()

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 #include "bullet_buoyancy/core/constants.h"
 #include "bullet_buoyancy/hull/mesh_edges.h"
@@ -14,7 +16,8 @@ namespace bullet_buoyancy {
 
 namespace {
 
-/// Triangles that hang together by edges which exactly two of them share.
+/// Triangles that hang together: first by edges which exactly two of them share, then by any edge at which
+/// they are open.
 struct Shell {
     std::vector<std::uint32_t> triangles;
     std::vector<bool> flipped;  // one a triangle of the shell
@@ -70,6 +73,82 @@ std::vector<Shell> consistentShells(const TriangleMesh& mesh) {
     return shells;
 }
 
+/// Two shells that meet at an edge of more than two triangles and are open there.
+struct Seam {
+    std::size_t shell, other;
+    int agreement;  // above 0 if they run along it in opposite directions
+};
+
+std::vector<Seam> findSeams(const TriangleMesh& mesh, const std::vector<Shell>& shells) {
+    std::vector<std::size_t> shellOf(mesh.triangles.size());
+    std::vector<bool> flipped(mesh.triangles.size());
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        for (std::size_t i = 0; i < shells[s].triangles.size(); ++i) {
+            shellOf[shells[s].triangles[i]] = s;
+            flipped[shells[s].triangles[i]] = shells[s].flipped[i];
+        }
+    std::vector<Seam> seams;
+    forEachEdge(sortedHalfEdges(mesh), [&](auto first, auto last) {
+        if (last - first <= 2) return;
+        // Of each shell: its sides that run forward less those that run back.
+        std::map<std::size_t, int> balance;
+        for (auto side = first; side != last; ++side)
+            balance[shellOf[side->triangle]] += side->forward != flipped[side->triangle] ? 1 : -1;
+        for (auto i = balance.begin(); i != balance.end(); ++i)
+            for (auto j = std::next(i); j != balance.end(); ++j)
+                if (i->second != 0 && j->second != 0)
+                    seams.push_back({i->first, j->first, -i->second * j->second});
+    });
+    return seams;
+}
+
+/// Turns shells round for as long as that balances their seams better: what already balances stays as it is.
+void balanceSeams(const std::vector<Seam>& seams, std::vector<Shell>& shells) {
+    std::vector<bool> turned(shells.size(), false);
+    while (true) {
+        std::vector<int> agreement(shells.size(), 0);
+        for (const Seam& seam : seams) {
+            const int now = turned[seam.shell] == turned[seam.other] ? seam.agreement : -seam.agreement;
+            agreement[seam.shell] += now;
+            agreement[seam.other] += now;
+        }
+        const auto worst = std::min_element(agreement.begin(), agreement.end());
+        if (worst == agreement.end() || *worst >= 0) return;
+        const auto shell = std::size_t(worst - agreement.begin());
+        turned[shell] = !turned[shell];
+        shells[shell].flipped.flip();
+    }
+}
+
+/// Shells that meet at seams become one: a patch between seams does not enclose what would tell its outside.
+std::vector<Shell> joinedAtSeams(const TriangleMesh& mesh, std::vector<Shell> shells) {
+    const std::vector<Seam> seams = findSeams(mesh, shells);
+    balanceSeams(seams, shells);
+    std::vector<std::size_t> leader(shells.size());
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        leader[s] = s;
+    const auto find = [&](std::size_t s) {
+        while (leader[s] != s)
+            s = leader[s] = leader[leader[s]];
+        return s;
+    };
+    for (const Seam& seam : seams) {
+        const std::size_t a = find(seam.shell), b = find(seam.other);
+        leader[std::max(a, b)] = std::min(a, b);
+    }
+
+    std::vector<Shell> joined;
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+        if (find(s) == s) continue;
+        Shell& whole = shells[find(s)];
+        whole.triangles.insert(whole.triangles.end(), shells[s].triangles.begin(), shells[s].triangles.end());
+        whole.flipped.insert(whole.flipped.end(), shells[s].flipped.begin(), shells[s].flipped.end());
+    }
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        if (find(s) == s) joined.push_back(std::move(shells[s]));
+    return joined;
+}
+
 TriangleMesh meshOf(const TriangleMesh& mesh, const Shell& shell) {
     TriangleMesh part{{}, {}};
     part.vertices.reserve(3 * shell.triangles.size());
@@ -83,12 +162,17 @@ TriangleMesh meshOf(const TriangleMesh& mesh, const Shell& shell) {
     return part;
 }
 
-bool encloses(const TriangleMesh& shell, const Eigen::AlignedBox3d& box, const Vec3& point) {
-    return box.contains(point) && std::abs(windingNumber(shell, point)) > 0.5;
-}
-
-Vec3 firstCentroid(const TriangleMesh& mesh) {
-    return (mesh.vertices[0] + mesh.vertices[1] + mesh.vertices[2]) / 3;
+/// Asks at several places, for where the two touch the winding number is a half.
+bool encloses(const TriangleMesh& outer, const TriangleMesh& inner) {
+    const std::size_t stride = 1 + inner.triangles.size() / 32;
+    double excess = 0;
+    for (std::size_t t = 0; t < inner.triangles.size(); t += stride) {
+        const Triangle& triangle = inner.triangles[t];
+        const Vec3 centroid =
+            (inner.vertices[triangle[0]] + inner.vertices[triangle[1]] + inner.vertices[triangle[2]]) / 3;
+        excess += std::min(1.0, std::abs(windingNumber(outer, centroid))) - 0.5;
+    }
+    return excess > 0;
 }
 
 /// Turns each outermost shell outward, and with it whatever it encloses.
@@ -105,7 +189,7 @@ void turnOutward(const TriangleMesh& mesh, std::vector<Shell>& shells) {
         std::size_t outermost = inner;
         for (std::size_t outer = 0; outer < shells.size(); ++outer) {
             const bool larger = boxes[outer].volume() > boxes[outermost].volume();
-            if (larger && encloses(parts[outer], boxes[outer], firstCentroid(parts[inner])))
+            if (larger && boxes[outer].intersects(boxes[inner]) && encloses(parts[outer], parts[inner]))
                 outermost = outer;
         }
         if (volumeMoments(parts[outermost]).volume < 0) shells[inner].flipped.flip();
@@ -135,7 +219,7 @@ MeshFindings repairMesh(TriangleMesh& mesh) {
     findings.weldedVertices = welded.removedVertices;
     findings.degenerateTriangles = welded.removedTriangles;
 
-    std::vector<Shell> shells = consistentShells(mesh);
+    std::vector<Shell> shells = joinedAtSeams(mesh, consistentShells(mesh));
     turnOutward(mesh, shells);
     findings.flippedTriangles = applyFlips(mesh, shells);
     findings.openEdges = countOpenEdges(mesh);

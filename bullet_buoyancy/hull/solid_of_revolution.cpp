@@ -14,15 +14,6 @@ ProfilePiece sphericalPiece(double begin, double end, double centre, double radi
     return {begin, end, radius * radius - centre * centre, 2 * centre, -1};
 }
 
-/// Integral of x^power radius^2 over the piece.
-double radiusSquaredMoment(const ProfilePiece& piece, int power) {
-    const auto integral = [&](double x) {
-        const double xn = std::pow(x, power + 1);
-        return xn * (piece.c0 / (power + 1) + x * (piece.c1 / (power + 2) + x * piece.c2 / (power + 3)));
-    };
-    return integral(piece.end) - integral(piece.begin);
-}
-
 /// 2 pi r ds is constant along spheres and cylinders and linear along cones: the value at the middle is the
 /// mean.
 double lateralArea(const ProfilePiece& piece) {
@@ -42,19 +33,22 @@ SolidOfRevolution makeCone(const Vec3& centreOfBase, const Vec3& axis, double ra
 
 SolidOfRevolution makeTaperedCapsule(const Vec3& centreA, double radiusA, const Vec3& centreB,
                                      double radiusB) {
-    const double distance = (centreB - centreA).norm();
-    assert(distance > std::abs(radiusA - radiusB));
+    const double distance = (centreB - centreA).norm(), difference = radiusA - radiusB;
+    assert(distance > std::abs(difference));
     // The common tangent cone touches each sphere where its normal leans by sine towards the smaller one.
-    const double sine = (radiusA - radiusB) / distance;
-    const double slope = -sine / std::sqrt(1 - sine * sine);
-    const double touchA = radiusA * sine;
-    const double touchB = distance + radiusB * sine;
-    const double r0 = radiusA * std::sqrt(1 - sine * sine) - slope * touchA;  // of the cone at x = 0
-    return {centreA,
-            (centreB - centreA) / distance,
-            {sphericalPiece(-radiusA, touchA, 0, radiusA),
-             {touchA, touchB, r0 * r0, 2 * r0 * slope, slope * slope},
-             sphericalPiece(touchB, distance + radiusB, distance, radiusB)}};
+    // Axial coordinates count from the cone's middle: where one sphere is almost within the other it is as
+    // steep as short.
+    const double sine = difference / distance;
+    const double cosine = std::sqrt((distance - difference) * (distance + difference)) / distance;
+    const double halfCone = distance * cosine * cosine / 2, slope = -sine / cosine;
+    const double middleRadius = (radiusA + radiusB) / 2 * cosine;
+    const double a = -halfCone - radiusA * sine, b = halfCone - radiusB * sine;  // the spheres' centres
+    const Vec3 axis = (centreB - centreA) / distance;
+    return {centreA - a * axis,
+            axis,
+            {sphericalPiece(a - radiusA, -halfCone, a, radiusA),
+             {-halfCone, halfCone, middleRadius * middleRadius, 2 * middleRadius * slope, slope * slope},
+             sphericalPiece(halfCone, b + radiusB, b, radiusB)}};
 }
 
 SolidOfRevolution asSolidOfRevolution(const Sphere& sphere) {
@@ -65,8 +59,9 @@ VolumeMoments volumeMoments(const SolidOfRevolution& solid) {
     VolumeMoments moments;
     double axialMoment = 0;
     for (const ProfilePiece& piece : solid.profile) {
-        moments.volume += pi * radiusSquaredMoment(piece, 0);
-        axialMoment += pi * radiusSquaredMoment(piece, 1);
+        const RadiusMoments integrals = radiusMoments(piece, piece.begin, piece.end);
+        moments.volume += pi * integrals.zeroth;
+        axialMoment += pi * integrals.first;
     }
     moments.firstMoment = moments.volume * solid.origin + axialMoment * solid.axis;
     return moments;

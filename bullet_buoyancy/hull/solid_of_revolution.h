@@ -24,6 +24,18 @@ struct ProfilePiece {
     }
 };
 
+/// Integrals of radius^2 and of x radius^2 over a stretch of a piece, m^3 and m^4.
+struct RadiusMoments {
+    double zeroth, first;
+};
+
+/// About the middle of the stretch, where the large coefficients of a steep cone do not cancel.
+inline RadiusMoments radiusMoments(const ProfilePiece& piece, double from, double to) {
+    const double middle = (from + to) / 2, half = (to - from) / 2, cubes = 2 * half * half * half / 3;
+    const double zeroth = 2 * half * piece.radiusSquared(middle) + cubes * piece.c2;
+    return {zeroth, middle * zeroth + cubes * (piece.c1 + 2 * middle * piece.c2)};
+}
+
 /// A closed solid with circular sections about an axis. Pieces follow one another along the axis, meet with
 /// equal radii, and end in flat discs or in points.
 struct SolidOfRevolution {

@@ -75,17 +75,10 @@ std::array<double, 4> stretchEnds(const ProfilePiece& piece, const AxisInWater& 
 
 void addWholeSections(const ProfilePiece& piece, const AxisInWater& view, double begin, double end,
                       AxialSums& sums) {
-    const auto moment = [&](int n) {
-        const auto integral = [&](double x) {
-            return std::pow(x, n + 1) *
-                   (piece.c0 / (n + 1) + x * (piece.c1 / (n + 2) + x * piece.c2 / (n + 3)));
-        };
-        return pi * (integral(end) - integral(begin));
-    };
-    const double volume = moment(0), xMoment = moment(1);
-    sums.volume += volume;
-    sums.xMoment += xMoment;
-    sums.depthVolume += view.depthAtOrigin * volume - view.upAlong * xMoment;
+    const RadiusMoments moments = radiusMoments(piece, begin, end);
+    sums.volume += pi * moments.zeroth;
+    sums.xMoment += pi * moments.first;
+    sums.depthVolume += pi * (view.depthAtOrigin * moments.zeroth - view.upAlong * moments.first);
 }
 
 /// A section of radius r that the surface cuts at s = c, half a chord w to either side: wet where s < c.

@@ -16,7 +16,8 @@ inline Triangle turned(const Triangle& triangle) {
 
 /// Inside out.
 inline TriangleMesh inverted(TriangleMesh mesh) {
-    for (Triangle& triangle : mesh.triangles) triangle = turned(triangle);
+    for (Triangle& triangle : mesh.triangles)
+        triangle = turned(triangle);
     return mesh;
 }
 
@@ -24,12 +25,14 @@ inline TriangleMesh inverted(TriangleMesh mesh) {
 inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
     const auto offset = std::uint32_t(a.vertices.size());
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+    for (const Triangle& t : b.triangles)
+        a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
     return a;
 }
 
 inline TriangleMesh moved(TriangleMesh mesh, const Pose& pose) {
-    for (Vec3& vertex : mesh.vertices) vertex = pose.position + pose.orientation * vertex;
+    for (Vec3& vertex : mesh.vertices)
+        vertex = pose.position + pose.orientation * vertex;
     return mesh;
 }
 
@@ -44,7 +47,8 @@ inline TriangleMesh soup(const TriangleMesh& mesh) {
     TriangleMesh result;
     for (const Triangle& triangle : mesh.triangles) {
         const auto first = std::uint32_t(result.vertices.size());
-        for (std::uint32_t corner : triangle) result.vertices.push_back(mesh.vertices[corner]);
+        for (std::uint32_t corner : triangle)
+            result.vertices.push_back(mesh.vertices[corner]);
         result.triangles.push_back({first, first + 1, first + 2});
     }
     return result;
@@ -54,7 +58,8 @@ inline TriangleMesh soup(const TriangleMesh& mesh) {
 inline TriangleMesh quartered(TriangleMesh mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t i, std::uint32_t j) {
-        const auto [entry, isNew] = middles.try_emplace(std::minmax(i, j), std::uint32_t(mesh.vertices.size()));
+        const auto [entry, isNew] =
+            middles.try_emplace(std::minmax(i, j), std::uint32_t(mesh.vertices.size()));
         if (isNew) mesh.vertices.push_back((mesh.vertices[i] + mesh.vertices[j]) / 2);
         return entry->second;
     };
@@ -70,18 +75,22 @@ inline TriangleMesh quartered(TriangleMesh mesh) {
 /// Fisher and Yates; unlike std::shuffle the same everywhere.
 template <typename T>
 void shuffle(std::vector<T>& items, Random& random) {
-    for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.index(i)]);
+    for (std::size_t i = items.size(); i > 1; --i)
+        std::swap(items[i - 1], items[random.index(i)]);
 }
 
 /// The same surface with its vertices, its triangles and the first corner of each in another order.
 inline TriangleMesh shuffled(const TriangleMesh& mesh, Random& random) {
     std::vector<std::uint32_t> order;
-    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) order.push_back(i);
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+        order.push_back(i);
     shuffle(order, random);
     TriangleMesh result = mesh;
-    for (std::size_t i = 0; i < order.size(); ++i) result.vertices[order[i]] = mesh.vertices[i];
+    for (std::size_t i = 0; i < order.size(); ++i)
+        result.vertices[order[i]] = mesh.vertices[i];
     for (Triangle& triangle : result.triangles) {
-        for (std::uint32_t& corner : triangle) corner = order[corner];
+        for (std::uint32_t& corner : triangle)
+            corner = order[corner];
         std::rotate(triangle.begin(), triangle.begin() + std::ptrdiff_t(random.index(3)), triangle.end());
     }
     shuffle(result.triangles, random);

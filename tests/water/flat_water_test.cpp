@@ -11,7 +11,8 @@ namespace {
 
 Eigen::ArrayX3d randomPoints(Eigen::Index count, Random& random) {
     Eigen::ArrayX3d points(count, 3);
-    for (Eigen::Index i = 0; i < count; ++i) points.row(i) = random.inCube(1000).transpose().array();
+    for (Eigen::Index i = 0; i < count; ++i)
+        points.row(i) = random.inCube(1000).transpose().array();
     return points;
 }
 
@@ -58,7 +59,8 @@ TEST(FlatWater, IsStillUnlessItFlows) {
     EXPECT_TRUE(FlatWater(frame, {1000, Vec3::Zero()}).bounds().still);
     for (int axis = 0; axis < 3; ++axis)
         for (double speed : {1.0, -1e-3, 1e-300})
-            EXPECT_FALSE(FlatWater(frame, {1000, speed * Vec3::Unit(axis)}).bounds().still) << axis << " " << speed;
+            EXPECT_FALSE(FlatWater(frame, {1000, speed * Vec3::Unit(axis)}).bounds().still)
+                << axis << " " << speed;
 }
 
 TEST(FlatWater, FlowsAlikeEverywhereInTheAxesOfItsFrame) {
@@ -98,7 +100,8 @@ TEST(WaterPlaneInBody, GivesTheDepthThatPointsHaveInTheWorld) {
             const Vec3 inBody = random.inCube(1);
             const Vec3 inWorld = pose.position + pose.orientation * inBody;
             const double depth = -water.frame().upWorld().dot(inWorld - water.frame().originWorld());
-            // Each side rounds some ten times numbers up to the distance between the points, 2 sqrt 3 of `distance`.
+            // Each side rounds some ten times numbers up to the distance between the points, 2 sqrt 3 of
+            // `distance`.
             EXPECT_NEAR(waterPlaneInBody(water, pose, 0).depth(inBody), depth, 40 * epsilon * distance);
         }
 }
@@ -115,12 +118,14 @@ TEST(WaterPlaneInBody, PointsUpByAUnitVectorInTheBodysAxes) {
 }
 
 TEST(WaterPlaneInBody, NearTheSurfaceLosesNothingByDistanceAlongIt) {
-    // Bodies 10 km along the surface of water that is level with the world: their heights are exact, and stay so.
+    // Bodies 10 km along the surface of water that is level with the world: their heights are exact, and stay
+    // so.
     const FlatWater water(WaterFrame::yUp({0, 5, 0}));
     Random random(6);
     for (int i = 0; i < 1000; ++i) {
         const double height = random.uniform(-1, 1);
-        const Pose pose{{random.uniform(-1e4, 1e4), 5 + height, random.uniform(-1e4, 1e4)}, random.orientation()};
+        const Pose pose{{random.uniform(-1e4, 1e4), 5 + height, random.uniform(-1e4, 1e4)},
+                        random.orientation()};
         EXPECT_EQ(waterPlaneInBody(water, pose, 0).heightOfWater, 5 - pose.position.y());
     }
 }

@@ -24,7 +24,8 @@ std::vector<Vec3> upDirections() {
                 ups.push_back({x + 1e-9, y - 1e-12, z + 1e-15});
             }
     Random random(1);
-    for (int i = 0; i < 1000; ++i) ups.push_back(random.uniform(0.01, 100) * random.direction());
+    for (int i = 0; i < 1000; ++i)
+        ups.push_back(random.uniform(0.01, 100) * random.direction());
     return ups;
 }
 
@@ -54,8 +55,10 @@ TEST(WaterFrame, StandsAtTheWorldsOriginUnlessToldOtherwise) {
 }
 
 TEST(WaterFrame, FromUpGivesTheNamedFramesForTheirDirections) {
-    EXPECT_EQ(WaterFrame::fromUp({1, 2, 3}, Vec3::UnitY()).worldFromFrame(), WaterFrame::yUp().worldFromFrame());
-    EXPECT_EQ(WaterFrame::fromUp({1, 2, 3}, Vec3::UnitZ()).worldFromFrame(), WaterFrame::zUp().worldFromFrame());
+    EXPECT_EQ(WaterFrame::fromUp({1, 2, 3}, Vec3::UnitY()).worldFromFrame(),
+              WaterFrame::yUp().worldFromFrame());
+    EXPECT_EQ(WaterFrame::fromUp({1, 2, 3}, Vec3::UnitZ()).worldFromFrame(),
+              WaterFrame::zUp().worldFromFrame());
 }
 
 TEST(WaterFrame, FromUpIsARightHandedRotationWithThatUp) {
@@ -76,7 +79,8 @@ TEST(WaterFrame, FromUpMakesTheMostNearlyHorizontalWorldAxisItsX) {
         const double slope = unit.cwiseAbs().minCoeff(&leastVertical);
         const Vec3 axis = Vec3::Unit(leastVertical);
         const Vec3 madeHorizontal = (axis - unit.dot(axis) * unit) / std::sqrt(1 - slope * slope);
-        EXPECT_TRUE(isNear(WaterFrame::fromUp({0, 0, 0}, up).worldFromFrame().col(0), madeHorizontal, roundingOfAxes))
+        EXPECT_TRUE(
+            isNear(WaterFrame::fromUp({0, 0, 0}, up).worldFromFrame().col(0), madeHorizontal, roundingOfAxes))
             << up.transpose();
     }
 }
@@ -85,7 +89,8 @@ TEST(WaterFrame, LengthOfUpDoesNotMatter) {
     const Vec3 up(0.48, -0.6, 0.64);
     const Mat3 axes = WaterFrame::fromUp({0, 0, 0}, up).worldFromFrame();
     for (double length : {1e-100, 1e-9, 1e9, 1e100})
-        EXPECT_TRUE(isNear(WaterFrame::fromUp({0, 0, 0}, length * up).worldFromFrame(), axes, roundingOfAxes)) << length;
+        EXPECT_TRUE(isNear(WaterFrame::fromUp({0, 0, 0}, length * up).worldFromFrame(), axes, roundingOfAxes))
+            << length;
 }
 
 TEST(WaterFrame, PointsAndVectorsMakeTheRoundTrip) {
