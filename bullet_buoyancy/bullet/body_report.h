@@ -22,7 +22,7 @@ struct Modelled {
     bool hydrostatics = false;  ///< pressure of the water at rest
     bool linearDrag = false;
     bool angularDamping = false;
-    bool angularMomentum = false;  ///< the library owns the spin; false: Bullet does
+    bool angularMomentum = false;  ///< the spin follows from it; false: the body has no inertia
 };
 
 /// What the water does to a body, at the pose at the end of the last substep.

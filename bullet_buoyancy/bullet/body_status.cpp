@@ -21,7 +21,8 @@ std::string BodyStatus::describe() const {
         case BodyError::badHull:
             return "its hull was refused: " + hull.describe();
     }
-    const std::string rotation = rotationOwned ? "" : "; its inertia has zeros: rotation is left to Bullet";
+    const std::string rotation =
+        canTurn ? "" : "; its inverse inertia has zeros: about those axes nothing turns it";
     return hull.describe() + rotation;
 }
 

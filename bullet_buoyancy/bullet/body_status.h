@@ -20,8 +20,8 @@ enum class BodyError {
 /// Whether a body floats from now on, and if not, why. A refused body is left as it was.
 struct BodyStatus {
     BodyError error = BodyError::none;
-    HullStatus hull;            ///< refusal or remarks; empty for a hull given by the user
-    bool rotationOwned = true;  ///< false: its inverse inertia has zeros, so its rotation is left to Bullet
+    HullStatus hull;      ///< refusal or remarks; empty for a hull given by the user
+    bool canTurn = true;  ///< false: its inverse inertia has zeros, and about those axes nothing turns it
 
     bool ok() const { return error == BodyError::none; }
     explicit operator bool() const { return ok(); }

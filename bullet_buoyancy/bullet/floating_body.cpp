@@ -61,7 +61,7 @@ bool isRate(double rate) {
 
 BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
     BodyStatus status;
-    status.rotationOwned = hasInertia(body);
+    status.canTurn = hasInertia(body);
     if (!isFinite(body))
         status.error = BodyError::notFinite;
     else if (body.isStaticObject() || body.getInvMass() == 0)
@@ -72,23 +72,24 @@ BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
         status.error = BodyError::badSettings;
     else if (!def.hull && !body.getCollisionShape())
         status.error = BodyError::noShape;
+    else if (def.hull && !(def.hull->moments.volume > 0)) {
+        status.error = BodyError::badHull;
+        status.hull.error = HullError::noVolume;
+    }
     return status;
 }
 
 FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
     : m_body(&body),
       m_def(def),
-      m_ownsRotation(hasInertia(body)),
       m_borrowedAngularDamping(double(body.getAngularDamping())),
       m_borrowedGyroscopicFlags(body.getFlags() & gyroscopicFlags) {
     m_report.state = BodyState::notStepped;
-    if (!m_ownsRotation) return;
     body.setDamping(body.getLinearDamping(), 0);
     body.setFlags(body.getFlags() & ~gyroscopicFlags);
 }
 
 void FloatingBody::giveBack() {
-    if (!m_ownsRotation) return;
     m_body->setDamping(m_body->getLinearDamping(), btScalar(m_borrowedAngularDamping));
     m_body->setFlags((m_body->getFlags() & ~gyroscopicFlags) | m_borrowedGyroscopicFlags);
 }
@@ -102,7 +103,7 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     const HydrostaticResult pressure = evaluateExact(hull(), pose, water.field, {water.gravity, water.time});
     const Substep substep{water, dt, pose, pressure, wetness(pressure.submergedVolume), owed(dt)};
     double kineticEnergy = stepTranslation(substep);
-    kineticEnergy += m_ownsRotation ? stepRotation(substep) : stepBulletsRotation(substep);
+    kineticEnergy += hasInertia(*m_body) ? stepRotation(substep) : stepBulletsRotation(substep);
     if (substep.wet.fraction > 0) keepAwakeWhileMoving(water, kineticEnergy);
     writeReport(substep, kineticEnergy);
 }
@@ -206,7 +207,8 @@ void FloatingBody::writeReport(const Substep& substep, double kineticEnergy) {
     const auto& [water, dt, pose, pressure, wet, owed] = substep;
     const Vec3 fromOrigin = pose.position - water.field.frame().originWorld();
     m_report.state = stateOf(wet.fraction);
-    m_report.modelled = {wet.fraction > 0, wet.dragRate > 0, wet.dampingRate > 0, m_ownsRotation};
+    m_report.modelled = {wet.fraction > 0 && water.gravity > 0, wet.dragRate > 0, wet.dampingRate > 0,
+                         hasInertia(*m_body)};
     m_report.forceWorld = toBullet(pressure.forceWorld);
     m_report.torqueAboutCom = toBullet(pressure.torqueAboutCom);
     m_report.submergedVolume = pressure.submergedVolume;

@@ -73,7 +73,6 @@ private:
 
     btRigidBody* m_body;
     BodyDef m_def;
-    bool m_ownsRotation;
     double m_borrowedAngularDamping;
     int m_borrowedGyroscopicFlags;
     AngularMomentum m_momentum;

@@ -70,6 +70,10 @@ TEST(AddBody, RefusesWhatCannotFloatAndSaysWhy) {
     def.angularDamping = std::numeric_limits<double>::quiet_NaN();
     refused(fine, BodyError::badSettings, "damping", def);
 
+    def.angularDamping = 0;
+    def.hull = std::make_shared<Hull>();
+    refused(fine, BodyError::badHull, "no volume", def);
+
     btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
     fine.setCollisionShape(&plane);
     refused(fine, BodyError::badHull, "plane");
@@ -205,18 +209,35 @@ TEST(ABodyWhoseInertiaChanges, KeepsItsSpin) {
 }
 
 /// Forgotten calculateLocalInertia: it floats, but cannot turn.
-TEST(ABodyWithoutInertia, FloatsWithItsRotationLeftToBullet) {
+TEST(ABodyWithoutInertia, FloatsUpright) {
     FloatScene scene;
-    btRigidBody& crate = scene.addBody(crateShape(), 500, Vec3::Zero(), at({0, 0, 0.3}));
-    crate.setDamping(0, btScalar(0.2));
-    const Borrowed before(crate);
+    Pose pose = at({0, 0, 0.3});
+    pose.orientation = Eigen::AngleAxisd(0.3, Vec3::UnitX());
+    btRigidBody& crate = scene.addBody(crateShape(), 500, Vec3::Zero(), pose);
     const BodyStatus status = scene.buoyancy().addBody(crate);
     EXPECT_TRUE(status);
-    EXPECT_FALSE(status.rotationOwned);
-    EXPECT_TRUE(before == Borrowed(crate));
+    EXPECT_FALSE(status.canTurn);
+    EXPECT_NE(status.describe().find("inertia"), std::string::npos);
     scene.run(30, dt);
     EXPECT_NEAR(scene.buoyancy().report(crate).wetFraction, 0.5, 1e-4);
     EXPECT_FALSE(scene.buoyancy().report(crate).modelled.angularMomentum);
+    EXPECT_LT(scenes::poseOf(crate).orientation.angularDistance(pose.orientation), 1e-5);
+}
+
+TEST(ABodyWhoseInertiaIsTakenAndGivenBack, TurnsAgain) {
+    FloatScene scene;
+    Pose pose = at({0, 0, 0});
+    pose.orientation = Eigen::AngleAxisd(0.3, Vec3::UnitX());
+    btRigidBody& raft = scene.addFloatingBox({3, 3, 1}, 0.5, pose);
+    const btVector3 inertia = raft.getLocalInertia();
+    raft.setMassProps(4500, btVector3(0, 0, 0));
+    raft.updateInertiaTensor();
+    scene.run(10, dt);
+    EXPECT_LT(scenes::poseOf(raft).orientation.angularDistance(pose.orientation), 1e-5);
+    raft.setMassProps(4500, inertia);
+    raft.updateInertiaTensor();
+    scene.run(60, dt);
+    EXPECT_GT(scenes::upInBody(raft, scene.water()).z(), 1 - 1e-6);
 }
 
 TEST(AnAbsurdTimeStep, DoesNothing) {
