@@ -33,10 +33,6 @@ constexpr int sphereLevels = 4;     // 5,120 triangles on each sphere of a multi
 constexpr int minkowskiLevels = 3;  // 1,280 triangles on smooth members of a Minkowski sum
 constexpr int minkowskiSegments = 48;
 
-/// A sphere that stands out of another by less than this times their distance is taken as within it: it adds
-/// 1e-11 of the volume, while the formula for both loses as much to rounding and more the nearer they get.
-constexpr double tangencyTolerance = 1e-6;
-
 /// Parts of a shape in its frame, or why it has none.
 struct Reading {
     std::vector<HullPart> parts;
@@ -146,8 +142,7 @@ bool readAsSolid(const std::vector<Sphere>& spheres, Reading& reading) {
     if (spheres.size() == 1) reading = HullPart(spheres[0]);
     if (spheres.size() == 2) {
         const double distance = (spheres[0].centre - spheres[1].centre).norm();
-        const double standsOut = distance - std::abs(spheres[0].radius - spheres[1].radius);
-        if (standsOut > tangencyTolerance * distance)
+        if (distance > std::abs(spheres[0].radius - spheres[1].radius))
             reading = HullPart(makeTaperedCapsule(spheres[0].centre, spheres[0].radius, spheres[1].centre,
                                                   spheres[1].radius));
         else

@@ -31,6 +31,7 @@ struct Neighbour {
 HullError check(const TriangleMesh& mesh) {
     for (const Vec3& vertex : mesh.vertices)
         if (!vertex.allFinite()) return HullError::notFinite;
+    if (!std::isfinite(meshSize(mesh))) return HullError::notFinite;
     for (const Triangle& triangle : mesh.triangles)
         if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size())
             return HullError::badIndices;
@@ -175,6 +176,11 @@ bool encloses(const TriangleMesh& outer, const TriangleMesh& inner) {
     return excess > 0;
 }
 
+/// Flat shells face neither way, whatever rounding makes of their volume.
+bool facesInward(const TriangleMesh& mesh) {
+    return volumeMoments(mesh).volume < -flatnessTolerance * std::pow(meshSize(mesh), 3);
+}
+
 /// Turns each outermost shell outward, and with it whatever it encloses.
 void turnOutward(const TriangleMesh& mesh, std::vector<Shell>& shells) {
     std::vector<TriangleMesh> parts;
@@ -192,7 +198,7 @@ void turnOutward(const TriangleMesh& mesh, std::vector<Shell>& shells) {
             if (larger && boxes[outer].intersects(boxes[inner]) && encloses(parts[outer], parts[inner]))
                 outermost = outer;
         }
-        if (volumeMoments(parts[outermost]).volume < 0) shells[inner].flipped.flip();
+        if (facesInward(parts[outermost])) shells[inner].flipped.flip();
     }
 }
 
