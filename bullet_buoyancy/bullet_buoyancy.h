@@ -6,5 +6,7 @@
 
 #include "bullet_buoyancy/bullet/buoyancy_action.h"
 #include "bullet_buoyancy/bullet/hull_from_shape.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
 #include "bullet_buoyancy/motion/damping.h"
 #include "bullet_buoyancy/water/flat_water.h"

@@ -2,6 +2,8 @@
 
 #include <LinearMath/btVector3.h>
 
+#include "bullet_buoyancy/bullet/precision.h"
+
 namespace bullet_buoyancy {
 
 /// What the action did with a body in the last substep.
@@ -11,7 +13,7 @@ enum class BodyState {
     dry,         ///< above the water
     floating,    ///< partly under water
     submerged,   ///< wholly under water
-    asleep,      ///< left asleep; the other fields are those of its last step
+    asleep,      ///< left asleep; without kinetic energy; the other fields are those of its last step
     notInWorld,  ///< not touched: removed from the world
     notDynamic,  ///< not touched: made static or kinematic
     notFinite,   ///< not touched: pose, velocity, mass or inertia is NaN or infinite
@@ -22,21 +24,24 @@ struct Modelled {
     bool hydrostatics = false;  ///< pressure of the water at rest
     bool linearDrag = false;
     bool angularDamping = false;
-    bool angularMomentum = false;  ///< the spin follows from it; false: the body has no inertia
+    bool angularMomentum = false;  ///< the spin follows from it; false: the body cannot turn freely
 };
 
-/// What the water does to a body, at the pose at the end of the last substep.
+/// What the water does to a body, at the pose at the end of the last substep that it took part in.
 struct BodyReport {
     BodyState state = BodyState::notAdded;
     Modelled modelled;
-    btVector3 forceWorld{0, 0, 0};             ///< of the water's pressure, N
-    btVector3 torqueAboutCom{0, 0, 0};         ///< of the water's pressure, world axes, N m
-    double submergedVolume = 0;                ///< m^3
-    double wetFraction = 0;                    ///< submerged volume over the hull's
+    btVector3 forceWorld{0, 0, 0};      ///< of the water's pressure, N
+    btVector3 torqueAboutCom{0, 0, 0};  ///< of the water's pressure, world axes, N m
+    double submergedVolume = 0;         ///< m^3
+    double wetFraction =
+        0;  ///< submerged volume over the hull's, 0 to 1; a rough figure where the hull is open
     btVector3 centreOfBuoyancyWorld{0, 0, 0};  ///< m; the centre of mass where nothing is displaced
-    double kineticEnergy = 0;                  ///< translation and rotation, at the time of the pose, J
-    double gravitationalEnergy = 0;            ///< zero at the water frame's origin, J
-    double waterPotentialEnergy = 0;           ///< rho g times the integral of depth over the displacement, J
+    btVector3 velocity{0, 0,
+                       0};     ///< of the centre of mass, between the substeps before and after the pose, m/s
+    double kineticEnergy = 0;  ///< translation and rotation, at the time of the pose, J
+    double gravitationalEnergy = 0;   ///< zero at the water frame's origin, J
+    double waterPotentialEnergy = 0;  ///< rho g times the integral of depth over the displacement, J
 
     double totalEnergy() const { return kineticEnergy + gravitationalEnergy + waterPotentialEnergy; }
 };

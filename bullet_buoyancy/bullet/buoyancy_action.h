@@ -9,6 +9,7 @@
 #include "bullet_buoyancy/bullet/body_report.h"
 #include "bullet_buoyancy/bullet/body_status.h"
 #include "bullet_buoyancy/bullet/floating_body.h"
+#include "bullet_buoyancy/bullet/precision.h"
 
 namespace bullet_buoyancy {
 
@@ -17,16 +18,24 @@ namespace bullet_buoyancy {
 ///
 /// Every substep, after Bullet has moved the bodies, it integrates the pressure of the water over each body's
 /// hull and sets the velocities with which Bullet goes on. While a body belongs to the action, the library
-/// owns its angular momentum: Bullet's angular damping and gyroscopic forces are off for it. Gravity is the
-/// world's.
+/// owns its angular momentum and its damping: Bullet's gyroscopic forces and angular damping are off for it,
+/// and its linear damping goes on as part of the drag. Bodies weigh what Bullet makes them
+/// (`btRigidBody::getGravity`); the pressure of the water comes from the world's gravity along the water's
+/// down.
+///
+/// Between steps `getLinearVelocity` of a wet body contains what is to cancel gravity, g dt upward when it
+/// floats at rest: push with impulses or forces, and read `BodyReport::velocity`.
 ///
 /// Not touched: bodies that sleep in still water, and bodies that are not (or no longer) in the world. A body
 /// must be removed from the action before it is deleted. The water must outlive the action. Deleting the
 /// action gives nothing back, since the bodies may be gone by then: call `removeAllBodies` where it matters.
-/// One world an action.
+/// One world an action, and one action a body.
 class BuoyancyAction : public btActionInterface {
 public:
     explicit BuoyancyAction(const WaterField& water) : m_water(&water) {}
+    explicit BuoyancyAction(const WaterField&&) = delete;
+    BuoyancyAction(const BuoyancyAction&) = delete;
+    BuoyancyAction& operator=(const BuoyancyAction&) = delete;
 
     /// Floats a dynamic body from the next substep on. Refused bodies are left as they were; the status says
     /// why.

@@ -2,6 +2,7 @@
 
 #include <LinearMath/btTransform.h>
 
+#include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/core/pose.h"
 
 namespace bullet_buoyancy {
@@ -21,6 +22,12 @@ inline Pose toPose(const btTransform& transform) {
     for (int row = 0; row < 3; ++row)
         basis.row(row) = toEigen(transform.getBasis()[row]).transpose();
     return {toEigen(transform.getOrigin()), Eigen::Quaterniond(basis).normalized()};
+}
+
+inline btTransform toTransform(const Pose& pose) {
+    const Eigen::Quaterniond& q = pose.orientation;
+    return btTransform(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),
+                       toBullet(pose.position));
 }
 
 }  // namespace bullet_buoyancy

@@ -7,6 +7,7 @@
 #include "bullet_buoyancy/hydrodynamics/wet_rate.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/motion/energy.h"
+#include "bullet_buoyancy/motion/rest.h"
 #include "bullet_buoyancy/motion/velocity_step.h"
 
 namespace bullet_buoyancy {
@@ -16,11 +17,6 @@ namespace {
 constexpr int gyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
                                 BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
                                 BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
-
-/// A wet body below this Froude number, speed / sqrt(g length), swings by less than a hundredth of its length
-/// and may fall asleep. Bullet alone would let whatever is slower than 0.8 m/s fall asleep in the middle of a
-/// swing.
-constexpr double restFroudeNumber = 0.005;
 
 bool isFinite(const btRigidBody& body) {
     const btTransform& transform = body.getWorldTransform();
@@ -32,8 +28,13 @@ bool isFinite(const btRigidBody& body) {
     return sum.allFinite();  // NaN and infinity survive every sum
 }
 
+/// About every axis of its own.
 bool hasInertia(const btRigidBody& body) {
     return toEigen(body.getInvInertiaDiagLocal()).minCoeff() > 0;
+}
+
+bool turnsFreely(const btRigidBody& body) {
+    return hasInertia(body) && toEigen(body.getAngularFactor()) == Vec3::Ones();
 }
 
 Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double time) {
@@ -51,6 +52,11 @@ BodyState stateOf(double wetFraction) {
 
 bool wasStepped(BodyState state) {
     return state == BodyState::dry || state == BodyState::floating || state == BodyState::submerged;
+}
+
+/// What of a load is left to move a body. One that contacts or joints hold has come to rest with them.
+double unbalanced(double load, double relief) {
+    return relief > 0.5 ? 0 : load;
 }
 
 bool isRate(double rate) {
@@ -79,19 +85,32 @@ BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
     return status;
 }
 
-FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
-    : m_body(&body),
-      m_def(def),
-      m_borrowedAngularDamping(double(body.getAngularDamping())),
-      m_borrowedGyroscopicFlags(body.getFlags() & gyroscopicFlags) {
+FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def) : m_body(&body), m_def(def) {
     m_report.state = BodyState::notStepped;
-    body.setDamping(body.getLinearDamping(), 0);
-    body.setFlags(body.getFlags() & ~gyroscopicFlags);
+    borrow();
+    massHasChanged();
+    body.activate();
+}
+
+/// Again in each step, so that what the user sets in the meantime is what he gets back.
+void FloatingBody::borrow() {
+    const double linear = double(m_body->getLinearDamping()), angular = double(m_body->getAngularDamping());
+    if (linear != 0) m_borrowed.linearDamping = linear;
+    if (angular != 0) m_borrowed.angularDamping = angular;
+    if (linear != 0 || angular != 0) m_body->setDamping(0, 0);
+    m_borrowed.gyroscopicFlags |= m_body->getFlags() & gyroscopicFlags;
+    m_body->setFlags(m_body->getFlags() & ~gyroscopicFlags);
 }
 
 void FloatingBody::giveBack() {
-    m_body->setDamping(m_body->getLinearDamping(), btScalar(m_borrowedAngularDamping));
-    m_body->setFlags((m_body->getFlags() & ~gyroscopicFlags) | m_borrowedGyroscopicFlags);
+    m_body->setDamping(btScalar(m_borrowed.linearDamping), btScalar(m_borrowed.angularDamping));
+    m_body->setFlags((m_body->getFlags() & ~gyroscopicFlags) | m_borrowed.gyroscopicFlags);
+    m_body->activate();
+}
+
+void FloatingBody::skip(BodyState reason) {
+    m_report.state = reason;
+    if (reason == BodyState::asleep) m_report.kineticEnergy = 0;
 }
 
 void FloatingBody::step(const WaterNow& water, double dt) {
@@ -99,25 +118,40 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     if (!isFinite(*m_body)) return skip(BodyState::notFinite);
     if (staysAsleep(water)) return skip(BodyState::asleep);
 
+    borrow();
     const Pose pose = toPose(m_body->getWorldTransform());
     const HydrostaticResult pressure = evaluateExact(hull(), pose, water.field, {water.gravity, water.time});
     const Substep substep{water, dt, pose, pressure, wetness(pressure.submergedVolume), owed(dt)};
-    double kineticEnergy = stepTranslation(substep);
-    kineticEnergy += hasInertia(*m_body) ? stepRotation(substep) : stepBulletsRotation(substep);
-    if (substep.wet.fraction > 0) keepAwakeWhileMoving(water, kineticEnergy);
-    writeReport(substep, kineticEnergy);
+    Motion motion;
+    stepTranslation(substep, motion);
+    if (turnsFreely(*m_body))
+        stepRotation(substep, motion);
+    else
+        stepRestrictedRotation(substep, motion);
+    if (substep.wet.fraction > 0) keepAwakeUnlessAtRest(water, motion);
+    writeReport(substep, motion);
 }
 
-/// Still water lets sleeping bodies lie; moving water wakes those it may reach.
-bool FloatingBody::staysAsleep(const WaterNow& water) const {
+/// Still water lets sleeping bodies lie; moving water wakes those it may reach, and so does a change of mass.
+bool FloatingBody::staysAsleep(const WaterNow& water) {
+    const bool reweighed = massHasChanged();
     if (m_body->isActive()) return false;
-    if (water.bounds.still) return true;
     const Pose pose = toPose(m_body->getWorldTransform());
     const Vec3 centre = pose.position + pose.orientation * hull().bounds.centre;
     const double lowest = water.field.frame().pointFromWorld(centre).z() - hull().bounds.radius;
-    if (lowest > water.bounds.elevation) return true;
-    m_body->activate();
+    const bool stirred = !water.bounds.still && lowest <= water.bounds.elevation;
+    if (stirred || reweighed) m_body->activate();
     return !m_body->isActive();
+}
+
+/// Since it was last asked.
+bool FloatingBody::massHasChanged() {
+    const double inverseMass = double(m_body->getInvMass());
+    const Vec3 inverseInertia = toEigen(m_body->getInvInertiaDiagLocal());
+    const bool changed = inverseMass != m_knownInverseMass || inverseInertia != m_knownInverseInertia;
+    m_knownInverseMass = inverseMass;
+    m_knownInverseInertia = inverseInertia;
+    return changed;
 }
 
 FloatingBody::Wetness FloatingBody::wetness(double submergedVolume) const {
@@ -130,7 +164,8 @@ FloatingBody::Wetness FloatingBody::wetness(double submergedVolume) const {
 /// gravity alone acted on the body; if it was woken in the middle of a stepSimulation, neither did, and for
 /// the rest of that the water alone does, since Bullet applies gravity only at the start.
 FloatingBody::Owed FloatingBody::owed(double dt) {
-    const bool gravityActed = m_body->getTotalForce().length2() > 0;
+    const btVector3 weight = m_body->getGravity() * (m_body->getLinearFactor() / m_body->getInvMass());
+    const bool gravityActed = m_body->getTotalForce().dot(weight) > weight.length2() / 2;
     const bool waterActed = wasStepped(m_report.state);
     m_wokenWithoutGravity = !gravityActed && (m_wokenWithoutGravity || m_report.state == BodyState::asleep);
     return {gravityActed && !waterActed ? dt : 0, waterActed && m_wokenWithoutGravity ? dt : 0};
@@ -142,17 +177,21 @@ Vec3 FloatingBody::accelerationByOthers(double dt) const {
     return (toEigen(m_body->getLinearVelocity()) - m_handedVelocity) / dt - toEigen(m_body->getGravity());
 }
 
-/// Sets the velocity; returns the kinetic energy at the pose.
-double FloatingBody::stepTranslation(const Substep& substep) {
+/// Sets the velocity. Bullet's own damping goes on, towards rest in the world, but spares the velocity that
+/// gravity is to cancel.
+void FloatingBody::stepTranslation(const Substep& substep, Motion& motion) {
     const auto& [water, dt, pose, pressure, wet, owed] = substep;
+    const double airRate = dampingRate(1 - m_borrowed.linearDamping, 1);
     LinearLoad load;
     load.acceleration = double(m_body->getInvMass()) * pressure.forceWorld;
     load.gravity = toEigen(m_body->getGravity());
-    load.othersAcceleration = accelerationByOthers(dt);
-    load.dragRate = wet.dragRate;
+    load.dragRate = wet.dragRate + airRate;
     if (wet.dragRate > 0 && !water.bounds.still)
         load.mediumVelocity =
+            wet.dragRate / load.dragRate *
             waterVelocityAt(water.field, pose.position + pressure.centreOfBuoyancyFromCom, water.time);
+    if (!wasStepped(m_report.state)) m_relief.restart();
+    load.relief = m_relief.update(load.acceleration + load.gravity, accelerationByOthers(dt));
 
     const Vec3 before = toEigen(m_body->getLinearVelocity());
     const Vec3 arrival = before + owed.byWater * load.acceleration + owed.byGravity * load.gravity;
@@ -160,11 +199,14 @@ double FloatingBody::stepTranslation(const Substep& substep) {
     const Vec3 change = (step.forEngine - before).cwiseProduct(toEigen(m_body->getLinearFactor()));
     m_body->setLinearVelocity(toBullet(before + change));
     m_handedVelocity = toEigen(m_body->getLinearVelocity());
-    return translationalEnergy(1 / double(m_body->getInvMass()), step.atPose);
+
+    motion.velocity = step.atPose;
+    motion.kineticEnergy += translationalEnergy(1 / double(m_body->getInvMass()), step.atPose);
+    motion.acceleration = unbalanced((load.acceleration + load.gravity).norm(), load.relief);
 }
 
-/// Sets the angular velocity by the momentum; returns the energy of rotation at the pose.
-double FloatingBody::stepRotation(const Substep& substep) {
+/// Sets the angular velocity by the momentum.
+void FloatingBody::stepRotation(const Substep& substep, Motion& motion) {
     const auto& [water, dt, pose, pressure, wet, owed] = substep;
     const RotationalInertia inertia{pose.worldFromBody(),
                                     toEigen(m_body->getInvInertiaDiagLocal()).cwiseInverse()};
@@ -176,45 +218,50 @@ double FloatingBody::stepRotation(const Substep& substep) {
     m_momentum.addImpulse(owed.byWater * pressure.torqueAboutCom);
 
     const Vec3 before = m_momentum.value();
-    const Vec3 freeAxes = toEigen(m_body->getAngularFactor());
-    m_momentum.step(pressure.torqueAboutCom, wet.dampingRate, dt);
-    if (freeAxes != Vec3::Ones()) m_momentum.lockAxes(inertia, freeAxes);
+    const double relief = m_momentum.step(pressure.torqueAboutCom, wet.dampingRate, dt);
     m_body->setAngularVelocity(toBullet(inertia.spin(m_momentum.value())));
     m_momentum.handOver(inertia, toEigen(m_body->getAngularVelocity()));
 
     const Vec3 atPose = (before + m_momentum.value()) / 2;
-    return rotationalEnergy(atPose, inertia.spin(atPose));
+    motion.kineticEnergy += rotationalEnergy(atPose, inertia.spin(atPose));
+    motion.torque = unbalanced(pressure.torqueAboutCom.norm(), relief);
 }
 
-/// For a body that cannot be turned about some axis (inverse inertia 0): an impulse, as Bullet would take it.
-double FloatingBody::stepBulletsRotation(const Substep& substep) {
+/// For a body that may not, or cannot, be turned about some axis (angular factor or inverse inertia 0):
+/// others hold it there by torques that no momentum of ours knows of, so its angular velocity is its state,
+/// and the torque an impulse as Bullet takes it.
+void FloatingBody::stepRestrictedRotation(const Substep& substep, Motion& motion) {
     const DampedStep damped(substep.wet.dampingRate, substep.dt);
     m_body->setAngularVelocity(btScalar(damped.decay) * m_body->getAngularVelocity());
     m_body->applyTorqueImpulse(
         toBullet((substep.dt + substep.owed.byWater) * substep.pressure.torqueAboutCom));
+    m_momentum = AngularMomentum();
     const Vec3 spinInBody = substep.pose.orientation.conjugate() * toEigen(m_body->getAngularVelocity());
-    return rotationalEnergy(toEigen(m_body->getLocalInertia()).cwiseProduct(spinInBody), spinInBody);
+    motion.kineticEnergy +=
+        rotationalEnergy(toEigen(m_body->getLocalInertia()).cwiseProduct(spinInBody), spinInBody);
 }
 
-void FloatingBody::keepAwakeWhileMoving(const WaterNow& water, double kineticEnergy) {
-    const double length = 2 * hull().bounds.radius;
-    const double restSpeed2 = restFroudeNumber * restFroudeNumber * water.gravity * length;
-    const double speed2 = 2 * kineticEnergy * double(m_body->getInvMass());
-    if (!water.bounds.still || speed2 > restSpeed2) m_body->activate();
+/// Bullet alone would let whatever is slower than 0.8 m/s fall asleep in the middle of a swing or a rise.
+void FloatingBody::keepAwakeUnlessAtRest(const WaterNow& water, const Motion& motion) {
+    const double length = 2 * hull().bounds.radius, inverseMass = double(m_body->getInvMass());
+    const Unrest unrest{std::sqrt(2 * motion.kineticEnergy * inverseMass), motion.acceleration,
+                        motion.torque * inverseMass / length};
+    if (!water.bounds.still || !isAtRest(unrest, water.gravity, length)) m_body->activate();
 }
 
-void FloatingBody::writeReport(const Substep& substep, double kineticEnergy) {
+void FloatingBody::writeReport(const Substep& substep, const Motion& motion) {
     const auto& [water, dt, pose, pressure, wet, owed] = substep;
     const Vec3 fromOrigin = pose.position - water.field.frame().originWorld();
     m_report.state = stateOf(wet.fraction);
     m_report.modelled = {wet.fraction > 0 && water.gravity > 0, wet.dragRate > 0, wet.dampingRate > 0,
-                         hasInertia(*m_body)};
+                         turnsFreely(*m_body)};
     m_report.forceWorld = toBullet(pressure.forceWorld);
     m_report.torqueAboutCom = toBullet(pressure.torqueAboutCom);
     m_report.submergedVolume = pressure.submergedVolume;
     m_report.wetFraction = wet.fraction;
     m_report.centreOfBuoyancyWorld = toBullet(pose.position + pressure.centreOfBuoyancyFromCom);
-    m_report.kineticEnergy = kineticEnergy;
+    m_report.velocity = toBullet(motion.velocity);
+    m_report.kineticEnergy = motion.kineticEnergy;
     m_report.gravitationalEnergy =
         gravitationalEnergy(1 / double(m_body->getInvMass()), toEigen(m_body->getGravity()), fromOrigin);
     m_report.waterPotentialEnergy = pressure.potentialEnergy;

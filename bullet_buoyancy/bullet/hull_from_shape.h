@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/hull/hull.h"
 
 namespace bullet_buoyancy {

@@ -6,12 +6,12 @@
 namespace bullet_buoyancy {
 
 HydrostaticResult evaluateExact(const Hull& hull, const Pose& pose, const WaterField& water,
-                                const HydrostaticQuery& query) {
+                                const HydrostaticQuery& asked) {
+    const HydrostaticQuery query = withPrerequisites(asked);
     const WaterPlane plane = waterPlaneInBody(water, pose, query.time);
     const double depthOfCentre = plane.depth(hull.bounds.centre);
-    if (depthOfCentre <= -hull.bounds.radius) return {};
-
     WetIntegrals integrals;
+    if (depthOfCentre <= -hull.bounds.radius) return toResult(integrals, pose, water, query);
     if (depthOfCentre >= hull.bounds.radius && hull.meshIsClosed) {
         const VolumeMoments& all = hull.moments;
         integrals.addDisplacement(plane.upInBody, all.volume, all.firstMoment,
@@ -24,7 +24,7 @@ HydrostaticResult evaluateExact(const Hull& hull, const Pose& pose, const WaterF
         for (const SolidOfRevolution& solid : hull.solids)
             addSolid(solid, plane, query, integrals);
     }
-    return toResult(integrals, pose, water.density(), query.gravity);
+    return toResult(integrals, pose, water, query);
 }
 
 }  // namespace bullet_buoyancy

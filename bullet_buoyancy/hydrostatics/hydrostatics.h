@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "bullet_buoyancy/core/constants.h"
 #include "bullet_buoyancy/core/pose.h"
 #include "bullet_buoyancy/hull/hull.h"
@@ -13,6 +15,7 @@ struct HydrostaticQuery {
     double time = 0;                   ///< s, for water that moves
     bool wettedArea = false;
     bool waterplane = false;
+    bool stiffness = false;
 };
 
 /// The section of a body at the water's surface; r runs from the centre of mass, in world axes.
@@ -32,6 +35,10 @@ struct HydrostaticResult {
     double potentialEnergy = 0;  ///< rho g times the integral of depth over the displacement, J
     double wettedArea = 0;       ///< m^2, if asked for
     Waterplane waterplane;       ///< if asked for
+
+    /// If asked for: the change of (force, torque) is -stiffness times (displacement in m, rotation about the
+    /// centre of mass in rad), world axes; see `hydrostaticStiffness`.
+    std::optional<Mat6> stiffness;
 };
 
 }  // namespace bullet_buoyancy

@@ -1,23 +1,13 @@
 #include "bullet_buoyancy/hydrostatics/wet_integrals.h"
 
+#include "bullet_buoyancy/hydrostatics/stiffness.h"
+
 namespace bullet_buoyancy {
 
-WetIntegrals& WetIntegrals::operator+=(const WetIntegrals& other) {
-    depthNormal += other.depthNormal;
-    depthTorque += other.depthTorque;
-    volume += other.volume;
-    volumeMoment += other.volumeMoment;
-    depthVolume += other.depthVolume;
-    wettedArea += other.wettedArea;
-    waterplane.area += other.waterplane.area;
-    waterplane.firstMoment += other.waterplane.firstMoment;
-    waterplane.secondMoment += other.waterplane.secondMoment;
-    return *this;
-}
-
-HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, double density, double gravity) {
+HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, const WaterField& water,
+                           const HydrostaticQuery& query) {
     const Mat3 rotation = pose.worldFromBody();
-    const double weightDensity = density * gravity;
+    const double weightDensity = water.density() * query.gravity;
     HydrostaticResult result;
     result.forceWorld = -weightDensity * (rotation * integrals.depthNormal);
     result.torqueAboutCom = -weightDensity * (rotation * integrals.depthTorque);
@@ -29,7 +19,14 @@ HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, doub
     result.waterplane.area = integrals.waterplane.area;
     result.waterplane.firstMoment = rotation * integrals.waterplane.firstMoment;
     result.waterplane.secondMoment = rotation * integrals.waterplane.secondMoment * rotation.transpose();
+    if (query.stiffness)
+        result.stiffness = hydrostaticStiffness(result, water.frame().upWorld(), weightDensity);
     return result;
+}
+
+HydrostaticQuery withPrerequisites(HydrostaticQuery query) {
+    query.waterplane |= query.stiffness;
+    return query;
 }
 
 }  // namespace bullet_buoyancy

@@ -16,8 +16,6 @@ struct WetIntegrals {
     double wettedArea = 0;             ///< m^2
     Waterplane waterplane;             ///< about the body's origin, in its axes
 
-    WetIntegrals& operator+=(const WetIntegrals& other);
-
     /// A closed piece of the displacement: by Archimedes its pressure acts upward through its centre.
     void addDisplacement(const Vec3& up, double pieceVolume, const Vec3& pieceMoment,
                          double pieceDepthVolume) {
@@ -36,7 +34,12 @@ struct WetIntegrals {
     }
 };
 
-/// From the body's frame to the world's axes, with density (kg/m^3) and gravity (m/s^2).
-HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, double density, double gravity);
+/// From the body's frame to the world's axes, with the water's density and the query's gravity; adds the
+/// stiffness if it is asked for.
+HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, const WaterField& water,
+                           const HydrostaticQuery& query);
+
+/// The query with all that what it asks for is made from.
+HydrostaticQuery withPrerequisites(HydrostaticQuery query);
 
 }  // namespace bullet_buoyancy

@@ -7,11 +7,11 @@ namespace bullet_buoyancy {
 
 /// What moves a body in a straight line during one step.
 struct LinearLoad {
-    Vec3 acceleration = Vec3::Zero();  ///< by all forces but gravity, drag and others, m/s^2
+    Vec3 acceleration = Vec3::Zero();  ///< by all forces but gravity, drag, contacts and joints, m/s^2
     Vec3 gravity = Vec3::Zero();       ///< which the engine itself adds at the start of its next step, m/s^2
-    Vec3 othersAcceleration = Vec3::Zero();  ///< by contacts and joints, as it was in the last step, m/s^2
-    double dragRate = 0;                     ///< 1/s, relative to the medium
-    Vec3 mediumVelocity = Vec3::Zero();      ///< m/s
+    double relief = 0;                 ///< share of these that contacts and joints take, see Relief
+    double dragRate = 0;               ///< 1/s, relative to the medium
+    Vec3 mediumVelocity = Vec3::Zero();  ///< m/s
 };
 
 struct VelocityStep {
@@ -22,10 +22,10 @@ struct VelocityStep {
 /// The velocity with which a body goes on from its pose, having arrived there with `arrival`: symplectic
 /// Euler, with drag as in DampedStep. Afloat and at rest the velocity for the engine is -gravity dt.
 inline VelocityStep stepVelocity(const Vec3& arrival, const LinearLoad& load, double dt) {
+    const DampedStep damped(load.dragRate, dt);
     const Vec3 departure =
-        load.mediumVelocity + DampedStep(load.dragRate, dt)
-                                  .advance(arrival - load.mediumVelocity, load.acceleration + load.gravity,
-                                           load.othersAcceleration);
+        load.mediumVelocity +
+        damped.advance(arrival - load.mediumVelocity, load.acceleration + load.gravity, load.relief);
     return {departure - dt * load.gravity, (arrival + departure) / 2};
 }
 

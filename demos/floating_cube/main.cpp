@@ -33,8 +33,9 @@ double periodTolerance(double period, const Stepping& stepping) {
 }
 
 Table cubeTable(const CubeResult& result, const CubeDef& def) {
-    Table table{"A cube of density ratio " + std::to_string(def.ratio) + " dropped from above: floats " +
-                    result.reached.name,
+    const std::string outcome =
+        result.atRest ? "floats " + result.reached.name : "is not at rest yet: give it more --seconds";
+    Table table{"A cube of density ratio " + std::to_string(def.ratio) + " dropped from above " + outcome,
                 {}};
     table.rows.push_back({"submerged fraction", "", result.submergedFraction, def.ratio, draftTolerance});
     if (result.reached.tilt >= 0) {

@@ -22,7 +22,8 @@ namespace {
 using namespace scenes;
 
 constexpr double degrees = 180 / pi;
-constexpr double drawnSide = 0.09;  // of a log's section, on the axis of density ratios
+constexpr double drawnSeconds = 15;  // of the cube's fall
+constexpr double drawnSide = 0.09;   // of a log's section, on the axis of density ratios
 constexpr std::array<double, 7> drawnRatios{0.11, 0.24, 0.37, 0.5, 0.63, 0.76, 0.89};
 
 /// Data blocks are named, so that the commands below read like a page.
@@ -61,7 +62,8 @@ void writeData(std::ostream& script, const CubeResult& cube, const std::vector<L
     });
     dataBlock(script, "cube", [&] {
         for (const CubeSample& sample : cube.samples)
-            script << sample.time << ' ' << sample.height << ' ' << sample.tilt * degrees << '\n';
+            if (sample.time < drawnSeconds)
+                script << sample.time << ' ' << sample.height << ' ' << sample.tilt * degrees << '\n';
     });
 }
 
@@ -112,11 +114,18 @@ set xlabel 'time (s)'
 set ylabel 'centre above water (edges)'
 set y2label 'tilt from face up (degrees)' textcolor rgb '#333333'
 set key top right
-set xrange [0:15]
 plot $cube using 1:2 with lines lw 2 lc rgb '#2a7ab5' title 'height', \
      $cube using 1:3 axes x1y2 with lines lw 2 lc rgb '#d1495b' title 'tilt'
 unset multiplot
 )gnuplot";
+
+/// For gnuplot's single quotes.
+std::string quoted(const std::string& text) {
+    std::string result;
+    for (char c : text)
+        result += c == '\'' ? "''" : std::string(1, c);
+    return result;
+}
 
 bool gnuplotIsInstalled() {
 #ifdef _WIN32
@@ -138,7 +147,7 @@ bool plot(const CubeResult& cube, const std::vector<LogResult>& logs, const std:
     std::ostringstream script;
     script << "set terminal " << (svg ? "svg" : "pngcairo")
            << " size 900,960 background rgb 'white' font 'Sans,13'\n"
-           << "set output '" << file << "'\n";
+           << "set output '" << quoted(file) << "'\n";
     writeData(script, cube, logs);
     script << commands;
 

@@ -1,20 +1,11 @@
 #include "scenes/float_scene.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
 
 namespace bullet_buoyancy::scenes {
-
-namespace {
-
-btTransform toTransform(const Pose& pose) {
-    const Eigen::Quaterniond& q = pose.orientation;
-    return btTransform(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),
-                       toBullet(pose.position));
-}
-
-}  // namespace
 
 FloatScene::FloatScene(const SceneDef& def)
     : m_water(def.frame, {def.waterDensity, def.flowVelocityWorld}),
@@ -53,7 +44,9 @@ btRigidBody& FloatScene::addFloatingBox(const Vec3& size, double ratio, const Po
                                         const BodyDef& def) {
     auto shape = std::make_unique<btBoxShape>(toBullet(size / 2));
     btRigidBody& body = addBody(std::move(shape), ratio * m_water.density() * size.prod(), pose);
-    m_buoyancy.addBody(body, def);
+    const BodyStatus status = m_buoyancy.addBody(body, def);
+    assert(status.ok());
+    static_cast<void>(status);
     return body;
 }
 

@@ -13,11 +13,14 @@ double tiltOf(const btRigidBody& cube, const WaterField& water) {
     return std::acos(std::min(1.0, upInBody(cube, water).cwiseAbs().maxCoeff()));
 }
 
+/// One that is not known in closed form is meant where none that is known is near.
 CubeOrientation nearest(const std::vector<CubeOrientation>& stable, double tilt) {
+    constexpr double near = 0.1, unknown = near;  // radians
+    const auto distance = [&](const CubeOrientation& orientation) {
+        return orientation.tilt < 0 ? unknown : std::abs(orientation.tilt - tilt);
+    };
     return *std::min_element(stable.begin(), stable.end(),
-                             [&](const CubeOrientation& a, const CubeOrientation& b) {
-                                 return std::abs(a.tilt - tilt) < std::abs(b.tilt - tilt);
-                             });
+                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
 }
 
 }  // namespace
@@ -42,6 +45,8 @@ CubeResult dropCube(const CubeDef& def, const Stepping& stepping) {
     const double tilt = result.samples.back().tilt;
     result.reached = nearest(stableCubeOrientations(def.ratio), tilt);
     result.tiltDeviation = result.reached.tilt < 0 ? 0 : std::abs(tilt - result.reached.tilt);
+    constexpr double restSpeed = 1e-4;  // m/s
+    result.atRest = 2 * report.kineticEnergy * double(cube.getInvMass()) < restSpeed * restSpeed;
     result.submergedFraction = report.wetFraction;
     return result;
 }
@@ -60,7 +65,7 @@ HeaveResult heaveSlab(double ratio, double amplitude, const Stepping& stepping) 
     double firstPassage = 0, lastPassage = 0, highest = -height, lowest = height;
     int periods = -1;
     double before = amplitude;
-    while (scene.time() < seconds || periods < 1) {
+    while (scene.time() < seconds) {
         scene.step(stepping.dt, stepping.substeps);
         const double now = heightAboveWater(slab, scene.water()) - restHeight;
         if (before > 0 && now <= 0) {

@@ -28,6 +28,7 @@ struct CubeResult {
     std::vector<CubeSample> samples;  ///< one a step
     CubeOrientation reached;          ///< of the stable orientations, the nearest to where it came to rest
     double tiltDeviation;             ///< from it, radians; 0 where it is not known in closed form
+    bool atRest;                      ///< false: it was not given the time to settle
     double submergedFraction;         ///< at rest: the ratio, by Archimedes
 };
 

@@ -99,12 +99,48 @@ TEST(RemoveBody, GivesDampingAndGyroscopicFlagsBack) {
 
     scene.buoyancy().addBody(crate);
     EXPECT_EQ(crate.getAngularDamping(), 0);
-    EXPECT_EQ(crate.getLinearDamping(), btScalar(0.1));
+    EXPECT_EQ(crate.getLinearDamping(), 0);
     EXPECT_EQ(crate.getFlags(), BT_DISABLE_WORLD_GRAVITY);
     scene.run(0.5, dt);
     EXPECT_TRUE(scene.buoyancy().removeBody(crate));
     EXPECT_TRUE(before == Borrowed(crate));
     EXPECT_FALSE(scene.buoyancy().removeBody(crate));
+}
+
+TEST(RemoveBody, GivesBackWhatTheUserSetInTheMeantime) {
+    FloatScene scene;
+    btRigidBody& crate = scene.addFloatingBox({1, 1, 1}, 1, at({0, 0, -10}));
+    scene.run(0.5, dt);
+    crate.setDamping(btScalar(0.1), btScalar(0.3));
+    scene.run(0.5, dt);
+    EXPECT_EQ(crate.getAngularDamping(), 0);  // while it belongs to the action
+    scene.buoyancy().removeBody(crate);
+    EXPECT_EQ(crate.getLinearDamping(), btScalar(0.1));
+    EXPECT_EQ(crate.getAngularDamping(), btScalar(0.3));
+}
+
+/// What sleeps does not notice by itself that the water has come or gone.
+TEST(ASleepingBody, IsWokenWhenItIsAddedRemovedOrReweighed) {
+    FloatScene scene;
+    btRigidBody& raft =
+        scene.addBody(std::make_unique<btBoxShape>(btVector3(1, 1, btScalar(0.5))), 2000, at({0, 0, -3}));
+    raft.forceActivationState(ISLAND_SLEEPING);
+    scene.buoyancy().addBody(raft);
+    scene.run(60, dt);
+    ASSERT_FALSE(raft.isActive());
+    EXPECT_NEAR(scene.buoyancy().report(raft).submergedVolume, 2, 2e-3);
+
+    btVector3 inertia;
+    raft.getCollisionShape()->calculateLocalInertia(3000, inertia);
+    raft.setMassProps(3000, inertia);
+    raft.updateInertiaTensor();
+    scene.run(60, dt);
+    ASSERT_FALSE(raft.isActive());
+    EXPECT_NEAR(scene.buoyancy().report(raft).submergedVolume, 3, 2e-3);
+
+    scene.buoyancy().removeBody(raft);
+    scene.run(1, dt);
+    EXPECT_LT(heightAboveWater(raft, scene.water()), -1);
 }
 
 TEST(RemoveBody, LeavesTheOthersFloating) {

@@ -76,6 +76,19 @@ TEST(BuoyancyAction, SubstepsInOneCallDoWhatTheyDoInMany) {
     EXPECT_EQ(a.getAngularVelocity(), b.getAngularVelocity());
 }
 
+/// At the usual 1/60 s Bullet's clock rounds, but no substep is lost or taken twice.
+TEST(BuoyancyAction, SubstepsAtSixtyHertzDoWhatTheyDoInMany) {
+    FloatScene one, many;
+    btRigidBody& a = one.addFloatingBox({2, 2, 1}, 0.5, at({0, 0, 0.2}), frictionless());
+    btRigidBody& b = many.addFloatingBox({2, 2, 1}, 0.5, at({0, 0, 0.2}), frictionless());
+    for (int i = 0; i < 150; ++i) {
+        one.step(4 * dt, 4);
+        many.run(4 * dt, dt);
+        ASSERT_NEAR(heightAboveWater(a, one.water()), heightAboveWater(b, many.water()), 600 * poseRounding)
+            << i;
+    }
+}
+
 TEST(BuoyancyAction, AnyUpAndAnyOriginGiveTheSameMotion) {
     const auto finalHeight = [](const WaterFrame& frame) {
         SceneDef def;
@@ -239,6 +252,73 @@ TEST(Factors, LockedAxesStayLocked) {
     EXPECT_GT(std::abs(now.position.z() - 0.3), 0.01);  // it does move where it may
 }
 
+/// About an axis of the world that is none of its own: torques that no one measures hold the body to it.
+TEST(Factors, ALockedBodyTurnsSteadilyAboutTheAxisThatIsLeft) {
+    FloatScene scene;
+    Pose pose = at({0, 0, 50});
+    pose.orientation = Eigen::AngleAxisd(0.7, Vec3(1, 2, 0.5).normalized());
+    btRigidBody& box = scene.addFloatingBox({1, 0.6, 0.2}, 0.5, pose, frictionless());
+    box.setAngularFactor(btVector3(0, 0, 1));
+    box.setAngularVelocity({0, 0, 2});
+    box.setGravity({0, 0, 0});
+    scene.run(20, dt);
+    EXPECT_NEAR(double(box.getAngularVelocity().z()), 2, 1e-5);
+    EXPECT_EQ(box.getAngularVelocity().x(), 0);
+}
+
+/// As a game respawns it: turned by hand, and given a spin.
+TEST(ATeleportedBody, KeepsTheSpinItIsGiven) {
+    FloatScene scene;
+    btRigidBody& spar = scene.addFloatingBox({4, 0.4, 0.4}, 1, at({0, 0, -20}), frictionless());
+    scene.run(1, dt);
+    Pose pose = at({5, 0, -20});
+    pose.orientation = Eigen::AngleAxisd(pi / 2, Vec3::UnitZ());
+    spar.setWorldTransform(toTransform(pose));
+    spar.setInterpolationWorldTransform(toTransform(pose));
+    spar.updateInertiaTensor();
+    spar.setAngularVelocity({1, 0, 0});
+    scene.run(1, dt);
+    EXPECT_NEAR(double(spar.getAngularVelocity().x()), 1, 1e-5);
+}
+
+/// Bullet would damp the velocity that is to cancel gravity, and so make the body heavier.
+TEST(BulletsLinearDamping, SlowsABodyButDoesNotWeighItDown) {
+    FloatScene scene;
+    auto shape = std::make_unique<btBoxShape>(btVector3(1, 1, btScalar(0.5)));
+    btRigidBody& raft = scene.addBody(std::move(shape), 2000, at({0, 0, 0}));
+    raft.setDamping(btScalar(0.5), 0);  // half of the velocity is lost in a second
+    raft.setLinearVelocity({1, 0, 0});
+    scene.buoyancy().addBody(raft, frictionless());
+    scene.run(1, dt);
+    EXPECT_NEAR(double(raft.getLinearVelocity().x()), 0.5, 1e-5);
+    scene.run(60, dt);
+    EXPECT_NEAR(scene.buoyancy().report(raft).wetFraction, 0.5, 1e-5);
+}
+
+TEST(Drag, DoesNotTurnABlowRound) {
+    for (double rate : {10.0, 1000.0}) {
+        FloatScene scene;
+        BodyDef def;
+        def.linearDrag = rate;
+        btRigidBody& cube = scene.addFloatingBox({1, 1, 1}, 0.5, at({0, 0, -10}), def);
+        scene.run(2, dt);
+        cube.applyCentralImpulse({0, 0, -300});
+        scene.step(dt);
+        // It sank with what the drag left of the blow, or rises with its terminal velocity, g / rate.
+        EXPECT_LE(double(scene.buoyancy().report(cube).velocity.z()), standardGravity / rate + 1e-6) << rate;
+        scene.step(dt);
+        EXPECT_LE(double(scene.buoyancy().report(cube).velocity.z()), standardGravity / rate + 1e-6) << rate;
+    }
+}
+
+TEST(BodyReport, HasTheVelocityWithoutWhatIsToCancelGravity) {
+    FloatScene scene;
+    btRigidBody& raft = scene.addFloatingBox({2, 2, 1}, 0.5, at({0, 0, 0}));
+    scene.run(60, dt);
+    EXPECT_NEAR(double(raft.getLinearVelocity().z()), standardGravity * dt, 1e-5);
+    EXPECT_NEAR(double(scene.buoyancy().report(raft).velocity.z()), 0, 1e-5);
+}
+
 TEST(Sleep, OfABodyAtRestInStillWaterIsNotDisturbed) {
     FloatScene scene;
     btRigidBody& raft = scene.addFloatingBox({2, 2, 1}, 0.5, at({0, 0, 0.02}));
@@ -251,6 +331,17 @@ TEST(Sleep, OfABodyAtRestInStillWaterIsNotDisturbed) {
     EXPECT_EQ(raft.getWorldTransform(), asleep);
     EXPECT_EQ(scene.buoyancy().report(raft).state, BodyState::asleep);
     EXPECT_NEAR(double(asleep.getOrigin().z()), 0, 1e-3);  // it fell asleep at its draft
+}
+
+/// Slow, but not in balance: it rises, it does not rest.
+TEST(Sleep, DoesNotComeWhileABodyCreepsToItsDraft) {
+    FloatScene scene;
+    BodyDef def;
+    def.linearDrag = 50;
+    btRigidBody& slab = scene.addFloatingBox({2, 2, 1}, 0.9, at({0, 0, -2}), def);
+    slab.forceActivationState(ACTIVE_TAG);
+    scene.run(300, dt);
+    EXPECT_NEAR(scene.buoyancy().report(slab).submergedVolume, 3.6, 1e-3);
 }
 
 TEST(Sleep, DoesNotComeInTheMiddleOfASwing) {

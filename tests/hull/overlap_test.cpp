@@ -65,7 +65,7 @@ TEST(OverlapVolume, IsZeroForFacesThatTouch) {
 TEST(OverlapVolume, OfTurnedFacesThatTouchIsBelowWhatIsReported) {
     // Rounding to single precision lets touching faces of about 1 m share a layer of 1e-7 m.
     Random random(1);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 50; ++i) {
         const Pose pose{random.inCube(1), random.orientation()};
         TriangleMesh a = moved(boxMesh({1, 1, 1}), pose), b = moved(boxMesh({1, 1, 1}, {0.3, 1, 0.2}), pose);
         for (TriangleMesh* mesh : {&a, &b})
@@ -77,7 +77,7 @@ TEST(OverlapVolume, OfTurnedFacesThatTouchIsBelowWhatIsReported) {
 
 TEST(OverlapVolume, OfAlignedBoxesIsExact) {
     Random random(2);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 50; ++i) {
         const Vec3 sizeA = Vec3::Ones() + random.inCube(0.5), sizeB = Vec3::Ones() + random.inCube(0.5);
         const Vec3 centreA = random.inCube(0.5), centreB = random.inCube(0.5);
         const Vec3 low = (centreA - sizeA / 2).cwiseMax(centreB - sizeB / 2);
@@ -128,7 +128,7 @@ TEST(OverlapVolume, OfCrossedBarsIsThatOfTheirCrossing) {
 
 TEST(OverlapVolume, DoesNotDependOnTheOrder) {
     Random random(3);
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 20; ++i) {
         const TriangleMesh a = moved(boxMesh({1, 0.5, 0.7}), {random.inCube(0.3), random.orientation()});
         const TriangleMesh b = moved(boxMesh({0.6, 0.8, 0.7}), {random.inCube(0.3), random.orientation()});
         EXPECT_NEAR(overlapVolume(a, b), overlapVolume(b, a), rounding);

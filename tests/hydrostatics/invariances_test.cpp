@@ -205,8 +205,8 @@ TEST(Continuity, WhereTheHullIsJustUnderOrJustOutTheShortcutsTakeOver) {
                 const Eigen::Quaterniond orientation = random.orientation();
                 const double heightOfCom = -(orientation * hull->bounds.centre).z();
                 const double touching = side * hull->bounds.radius, hair = 1e-9 * hull->bounds.radius;
-                const auto at = [&](double height) {
-                    return inStillWater(*hull, atHeight(heightOfCom + height, orientation));
+                const auto at = [&, &solid = *hull](double height) {
+                    return inStillWater(solid, atHeight(heightOfCom + height, orientation));
                 };
                 const bool isMesh = hull->solids.empty();
                 // Across the hair's breadth depths change by 1e-9 of the size: energies do, for a hull under
@@ -240,7 +240,7 @@ TEST(OpenMesh, AgreesWithTheReferenceEvaluator) {
         {"ring with a slit", hullOf(without(ringMesh(0.3, 0.6, 0.2, 12), 0, 8))},
     };
     for (const auto& [name, hull] : openHulls)
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < 5; ++i) {
             SCOPED_TRACE(name);
             const Pose pose = atSurface(*hull, random);
             const HydrostaticResult reference = evaluateReference(*hull, pose, stillWater(), everything());
