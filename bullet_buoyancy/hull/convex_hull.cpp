@@ -166,11 +166,7 @@ private:
                                             [&](Index i, Index j) { return distance(i) < distance(j); });
         std::vector<HorizonEdge> horizon;
         const std::vector<Index> orphans = removeVisible(face, eye, horizon);
-        // Points that lie near the horizon may belong to the faces beyond it.
-        std::vector<Index> candidates = addFan(eye, horizon);
-        for (const HorizonEdge& edge : horizon)
-            candidates.push_back(edge.beyond);
-        distribute(orphans, candidates);
+        distribute(orphans, addFan(eye, horizon));
     }
 
     /// Faces in whose plane the eye lies stay: the fan goes on in their plane.

@@ -18,9 +18,10 @@ struct Hull {
     std::vector<SolidOfRevolution> solids;
 
     bool meshIsClosed = true;  ///< no edge of `mesh` is open: what it encloses is well defined
-    VolumeMoments moments;     ///< of everything; where parts overlap, counted as often as they do
-    double surfaceArea = 0;    ///< of everything, m^2
-    Sphere bounds;             ///< encloses everything
+    VolumeMoments
+        moments;  ///< of everything, overlaps as often as they are; see `volumeMoments` for open meshes
+    double surfaceArea = 0;  ///< of everything, m^2
+    Sphere bounds;           ///< encloses everything
 };
 
 using HullPart = std::variant<TriangleMesh, Sphere, SolidOfRevolution>;

@@ -113,7 +113,7 @@ set y2range [0:60]
 set xlabel 'time (s)'
 set ylabel 'centre above water (edges)'
 set y2label 'tilt from face up (degrees)' textcolor rgb '#333333'
-set key top right
+set key at graph 0.98, 0.6 right
 plot $cube using 1:2 with lines lw 2 lc rgb '#2a7ab5' title 'height', \
      $cube using 1:3 axes x1y2 with lines lw 2 lc rgb '#d1495b' title 'tilt'
 unset multiplot
@@ -151,7 +151,7 @@ bool plot(const CubeResult& cube, const std::vector<LogResult>& logs, const std:
     writeData(script, cube, logs);
     script << commands;
 
-    std::FILE* gnuplot = popen("gnuplot", "w");
+    std::FILE* gnuplot = popen("gnuplot -", "w");
     if (!gnuplot) return false;
     std::fputs(script.str().c_str(), gnuplot);
     if (pclose(gnuplot) == 0) return true;

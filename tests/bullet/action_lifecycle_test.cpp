@@ -6,6 +6,7 @@
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "scenes/float_scene.h"
+#include "support/bullet_cases.h"
 
 namespace bullet_buoyancy::test {
 namespace {
@@ -13,12 +14,7 @@ namespace {
 using scenes::FloatScene;
 using scenes::heightAboveWater;
 
-constexpr double dt = 1.0 / 60;
 constexpr btScalar nan = std::numeric_limits<btScalar>::quiet_NaN();
-
-Pose at(const Vec3& position) {
-    return {position, Eigen::Quaterniond::Identity()};
-}
 
 std::unique_ptr<btCollisionShape> crateShape() {
     return std::make_unique<btBoxShape>(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));

@@ -7,6 +7,7 @@
 #include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "scenes/float_scene.h"
+#include "support/bullet_cases.h"
 #include "support/known_solids.h"
 
 namespace bullet_buoyancy::test {
@@ -17,19 +18,10 @@ using scenes::heightAboveWater;
 using scenes::poseOf;
 using scenes::SceneDef;
 
-/// A pose of Bullet's is rounded to this share of its size, and so is whatever follows from it.
-constexpr double poseRounding = sizeof(btScalar) == 4 ? 1e-6 : 1e-14;
-
-constexpr double dt = 1.0 / 60;
-
 BodyDef frictionless() {
     BodyDef def;
     def.linearDrag = def.angularDamping = 0;
     return def;
-}
-
-Pose at(const Vec3& position) {
-    return {position, Eigen::Quaterniond::Identity()};
 }
 
 TEST(BuoyancyAction, ReportsWhatTheEvaluatorSaysAtTheNewPose) {

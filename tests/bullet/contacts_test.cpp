@@ -4,6 +4,7 @@
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "scenes/float_scene.h"
+#include "support/bullet_cases.h"
 
 namespace bullet_buoyancy::test {
 namespace {
@@ -13,12 +14,6 @@ using scenes::heightAboveWater;
 using scenes::poseOf;
 using scenes::SceneDef;
 using scenes::upInBody;
-
-constexpr double dt = 1.0 / 60;
-
-Pose at(const Vec3& position) {
-    return {position, Eigen::Quaterniond::Identity()};
-}
 
 std::unique_ptr<btBoxShape> boxShape(const Vec3& size) {
     return std::make_unique<btBoxShape>(toBullet(size / 2));

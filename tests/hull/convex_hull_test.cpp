@@ -300,6 +300,24 @@ TEST(ConvexHull, OfPointsInOnePlaneHasNoTriangles) {
             }
 }
 
+TEST(ConvexHull, HoldsPlatesAsThinAsTheNoiseOfTheirPoints) {
+    // What a point sees is in doubt everywhere here: decided by rounding, the horizon soon tears.
+    Random random(13);
+    for (int i = 0; i < 1000; ++i) {
+        const double noise = std::pow(10, -random.uniform(6, 17));
+        const double thickness = std::pow(10, -random.uniform(0, 10));
+        std::vector<Vec3> points = boxPoints({1, 1, thickness}, 2 + i % 5);
+        for (Vec3& point : points)
+            point += noise * random.inCube(1);
+        if (i % 2) points = movedPoints(points, {Vec3::Zero(), random.orientation()});
+        shuffle(points, random);
+        const TriangleMesh hull = convexHull(points);
+        if (thickness > 2 * convexHullTolerance * std::sqrt(3.0)) {
+            expectConvexHull(hull, points);
+        }
+    }
+}
+
 TEST(ConvexHull, HoldsThinPlates) {
     // A plate far thicker than the tolerance, far thinner than its points are apart.
     Random random(12);

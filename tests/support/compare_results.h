@@ -32,4 +32,14 @@ inline double relativeAreaDifference(const HydrostaticResult& a, const Hydrostat
                      (a.waterplane.secondMoment - b.waterplane.secondMoment).norm() / (area * size * size)});
 }
 
+/// The same for the stiffness of both, relative to what a waterplane of the square of the size would have.
+inline double relativeStiffnessDifference(const HydrostaticResult& a, const HydrostaticResult& b,
+                                          const Hull& hull, double weightDensity) {
+    const double size = hull.bounds.radius + hull.bounds.centre.norm();
+    Mat6 perSize = Mat6::Identity();
+    perSize.diagonal().tail<3>().setConstant(1 / size);
+    const Mat6 difference = perSize * (*a.stiffness - *b.stiffness) * perSize;
+    return difference.norm() / (weightDensity * size * size);
+}
+
 }  // namespace bullet_buoyancy::test

@@ -21,7 +21,7 @@ inline TriangleMesh inverted(TriangleMesh mesh) {
     return mesh;
 }
 
-/// Both in one mesh, no vertex shared.
+/// Both in one mesh, without a common vertex.
 inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
     const auto offset = std::uint32_t(a.vertices.size());
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());

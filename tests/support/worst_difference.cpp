@@ -29,7 +29,7 @@ WorstDifference worstDifference(const Hull& hull, const WaterField& water, const
     const Vec3 onSurface = frame.originWorld() + frame.worldFromFrame() * placeInFrame;
     Random random(20261122);
     HydrostaticQuery query;
-    query.wettedArea = query.waterplane = true;
+    query.wettedArea = query.waterplane = query.stiffness = true;
     WorstDifference worst;
     for (int i = 0; i < poses; ++i) {
         Pose pose;
@@ -42,7 +42,8 @@ WorstDifference worstDifference(const Hull& hull, const WaterField& water, const
         const HydrostaticResult reference = evaluateReference(hull, pose, water, query);
         const double weightDensity = water.density() * query.gravity;
         worst.pressure = std::max(worst.pressure, relativeDifference(exact, reference, hull, weightDensity));
-        worst.areas = std::max(worst.areas, relativeAreaDifference(exact, reference, hull));
+        worst.areas = std::max({worst.areas, relativeAreaDifference(exact, reference, hull),
+                                relativeStiffnessDifference(exact, reference, hull, weightDensity)});
     }
     return worst;
 }
