@@ -1,5 +1,5 @@
-// Floats a crate for 20 s and checks its draft: a 1 m cube of 100 kg in water of 1000 kg/m^3 floats face up,
-// 0.1 m deep.
+// Floats a crate for a minute and checks its draft: a 1 m cube of 100 kg in water of 1000 kg/m^3 floats face
+// up, 0.1 m deep.
 
 #include <btBulletDynamicsCommon.h>
 #include <bullet_buoyancy/bullet_buoyancy.h>
@@ -30,7 +30,7 @@ int main() {
     if (!status) std::puts(status.describe().c_str());
     world->addAction(&buoyancy);
 
-    for (int frame = 0; frame < 20 * 60; ++frame)
+    for (int frame = 0; frame < 60 * 60; ++frame)
         world->stepSimulation(1 / 60.f);
 
     const auto& report = buoyancy.report(*crate);

@@ -54,7 +54,7 @@ TEST(Invariance, MovingAlongTheWaterChangesNothing) {
             SCOPED_TRACE(name);
             const Pose here = atSurface(*hull, random);
             Pose there = here;
-            there.position += Vec3(random.uniform(-1e4, 1e4), random.uniform(-1e4, 1e4), 0);
+            there.position += Vec3{random.uniform(-1e4, 1e4), random.uniform(-1e4, 1e4), 0};
             const HydrostaticResult a = inStillWater(*hull, here), b = inStillWater(*hull, there);
             EXPECT_EQ(a.forceWorld, b.forceWorld);
             EXPECT_EQ(a.torqueAboutCom, b.torqueAboutCom);

@@ -16,7 +16,7 @@ constexpr double rounding = 1e-13;  // of a few products of rotations in double 
 constexpr double dt = 1.0 / 60;
 
 RotationalInertia randomInertia(Random& random) {
-    const Vec3 principal(random.uniform(0.1, 1), random.uniform(1, 2), random.uniform(2, 3));
+    const Vec3 principal{random.uniform(0.1, 1), random.uniform(1, 2), random.uniform(2, 3)};
     return {random.orientation().toRotationMatrix(), principal};
 }
 

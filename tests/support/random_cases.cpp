@@ -16,7 +16,10 @@ Vec3 Random::direction() {
 
 Eigen::Quaterniond Random::orientation() {
     while (true) {
-        const Eigen::Vector4d point(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        Eigen::Vector4d
+            point;  // filled one by one: the order in which arguments are evaluated is the compiler's
+        for (double& coordinate : point)
+            coordinate = uniform(-1, 1);
         if (const double length = point.norm(); length > 0.1 && length < 1)
             return Eigen::Quaterniond(Eigen::Vector4d(point / length));
     }
