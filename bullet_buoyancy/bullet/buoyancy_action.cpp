@@ -3,6 +3,7 @@
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/bullet/draw_floating_body.h"
@@ -70,7 +71,7 @@ const BodyReport& BuoyancyAction::report(const btRigidBody& body) const {
 }
 
 void BuoyancyAction::updateAction(btCollisionWorld* world, btScalar dt) {
-    if (!(dt > 0)) return;
+    if (!(dt > 0) || !std::isfinite(dt)) return;
     const auto& dynamicsWorld = *static_cast<btDynamicsWorld*>(world);  // the only worlds that have actions
     m_time += double(dt);
     const WaterNow water{*m_water, m_water->bounds(), gravityAlongDown(dynamicsWorld, m_water->frame()),

@@ -275,7 +275,7 @@ TEST(ABodyWhoseInertiaIsTakenAndGivenBack, TurnsAgain) {
 TEST(AnAbsurdTimeStep, DoesNothing) {
     FloatScene scene;
     btRigidBody& crate = scene.addFloatingBox({1, 1, 1}, 0.5, at({0, 0, 0}));
-    for (btScalar step : {btScalar(0), btScalar(-1), nan}) {
+    for (btScalar step : {btScalar(0), btScalar(-1), nan, std::numeric_limits<btScalar>::infinity()}) {
         scene.buoyancy().updateAction(&scene.world(), step);
         EXPECT_EQ(crate.getLinearVelocity().length(), 0);
         EXPECT_EQ(scene.buoyancy().report(crate).state, BodyState::notStepped);
