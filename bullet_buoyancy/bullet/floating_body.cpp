@@ -54,11 +54,6 @@ bool wasStepped(BodyState state) {
     return state == BodyState::dry || state == BodyState::floating || state == BodyState::submerged;
 }
 
-/// What of a load is left to move a body. One that contacts or joints hold has come to rest with them.
-double unbalanced(double load, double relief) {
-    return relief > 0.5 ? 0 : load;
-}
-
 bool isRate(double rate) {
     return std::isfinite(rate) && rate >= 0;
 }

@@ -13,6 +13,12 @@ struct Unrest {
     double angularAcceleration;  ///< torque that does not balance over mass and length, m/s^2
 };
 
+/// What of a load is left to move a body, given the share that contacts and joints take (see Relief). One
+/// that they hold comes to rest with them: their small change from step to step is no imbalance.
+inline double unbalanced(double load, double relief) {
+    return relief > 0.5 ? 0 : load;
+}
+
 /// Whether a body of a given length (m) may be taken for still where gravity (m/s^2) is so strong: its Froude
 /// number, speed / sqrt(g length), is below 0.005, so that it swings by less than a hundredth of its length,
 /// and its loads balance to 1e-4 of its weight, so that it does not merely creep.
