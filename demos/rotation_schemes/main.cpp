@@ -1,0 +1,90 @@
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include "rotation_schemes/measure.h"
+#include "rotation_schemes/options.h"
+
+namespace bullet_buoyancy::demo {
+namespace {
+
+struct Row {
+    SpinCase spin;
+    Scheme scheme;
+    double time;  ///< of a step, ns
+    SchemeError error;
+
+    bool passes() const {
+        constexpr double orientation = 1e-3;  // rad: what could be seen
+        constexpr double energy = 1e-6;       // what single precision keeps of it in these steps
+        return scheme.step != ours().step || (error.orientation <= orientation && error.energy <= energy);
+    }
+};
+
+const std::vector<SpinCase>& spinCases() {
+    static const std::vector<SpinCase> cases{
+        {"A box that flips about its middle axis", {0.1, 0.3, 0.5}, {0.01, 5, 0.01}},
+        {"A rod that tumbles", {0.05, 0.05, 1}, {3, 0, 6}},
+        {"A box that turns by 0.6 rad in 1/60 s", {0.1, 0.3, 0.5}, {20, 23, 19}}};
+    return cases;
+}
+
+std::vector<Row> measure(const RotationOptions& options) {
+    std::vector<Row> rows;
+    for (const SpinCase& spin : spinCases())
+        for (const Scheme& scheme : schemes())
+            rows.push_back({spin, scheme, measureTime(scheme, spin, options.dt, options.stepsInABlock),
+                            measureError(scheme, spin, options.dt, options.seconds)});
+    return rows;
+}
+
+void print(const std::vector<Row>& rows, const RotationOptions& options) {
+    std::printf("Largest errors in %g s with steps of %.6f s\n", options.seconds, options.dt);
+    const std::string* last = nullptr;
+    for (const Row& row : rows) {
+        if (!last || *last != row.spin.name) {
+            const Vec3 &size = row.spin.halfExtents, &spin = row.spin.spin;
+            std::printf("\n%s: half extents %g x %g x %g m, spin %g, %g, %g rad/s\n", row.spin.name.c_str(),
+                        size.x(), size.y(), size.z(), spin.x(), spin.y(), spin.z());
+            std::printf("  %-34s %10s %16s %17s %15s\n", "", "ns a step", "orientation, rad",
+                        "energy, relative", "|L|, relative");
+        }
+        last = &row.spin.name;
+        std::printf("  %-34s %10.0f %16.1e %17.1e %15.1e%s\n", row.scheme.name, row.time,
+                    row.error.orientation, row.error.energy, row.error.momentum,
+                    row.passes() ? "" : "  FAILS");
+    }
+}
+
+bool writeCsv(const std::vector<Row>& rows, const std::string& file) {
+    std::ofstream csv(file);
+    csv.precision(6);
+    csv << "case,scheme,ns_a_step,orientation_error_rad,relative_energy_error,relative_momentum_error,"
+           "passes\n";
+    for (const Row& row : rows)
+        csv << '"' << row.spin.name << "\",\"" << row.scheme.name << "\"," << row.time << ','
+            << row.error.orientation << ',' << row.error.energy << ',' << row.error.momentum << ','
+            << row.passes() << '\n';
+    return bool(csv.flush());
+}
+
+int run(const RotationOptions& options) {
+    const std::vector<Row> rows = measure(options);
+    print(rows, options);
+    if (!options.csv.empty() && !writeCsv(rows, options.csv)) {
+        std::fprintf(stderr, "rotation_schemes: cannot write %s\n", options.csv.c_str());
+        return 1;
+    }
+    for (const Row& row : rows)
+        if (!row.passes()) return 1;
+    return 0;
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::demo
+
+int main(int argc, char** argv) {
+    int exitStatus = 0;
+    const auto options = bullet_buoyancy::demo::parseRotationOptions(argc, argv, exitStatus);
+    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+}
