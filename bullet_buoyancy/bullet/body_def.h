@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bullet_buoyancy/hull/hull.h"
+#include "bullet_buoyancy/motion/body_motion.h"
 
 namespace bullet_buoyancy {
 
@@ -17,6 +18,8 @@ struct BodyDef {
 
     /// Drag and damping in proportion to the share of the volume that is wet; false: in full whenever wet.
     bool scaleByWetFraction = true;
+
+    Stepping stepping = Stepping::guarded;
 };
 
 }  // namespace bullet_buoyancy

@@ -3,6 +3,7 @@
 #include <LinearMath/btVector3.h>
 
 #include "bullet_buoyancy/bullet/precision.h"
+#include "bullet_buoyancy/motion/energy_ledger.h"
 
 namespace bullet_buoyancy {
 
@@ -37,11 +38,19 @@ struct BodyReport {
     double wetFraction =
         0;  ///< submerged volume over the hull's, 0 to 1; a rough figure where the hull is open
     btVector3 centreOfBuoyancyWorld{0, 0, 0};  ///< m; the centre of mass where nothing is displaced
-    btVector3 velocity{0, 0,
-                       0};     ///< of the centre of mass, between the substeps before and after the pose, m/s
-    double kineticEnergy = 0;  ///< translation and rotation, at the time of the pose, J
-    double gravitationalEnergy = 0;   ///< zero at the water frame's origin, J
-    double waterPotentialEnergy = 0;  ///< rho g times the integral of depth over the displacement, J
+    btVector3 velocity{0, 0, 0};               ///< of the centre of mass at the pose, m/s
+    btVector3 spin{0, 0, 0};                   ///< at the pose, world axes, rad/s
+    btVector3 angularMomentum{0, 0, 0};        ///< about the centre of mass, world axes, kg m^2/s
+    double kineticEnergy = 0;                  ///< translation and rotation, at the time of the pose, J
+    double gravitationalEnergy = 0;            ///< zero at the water frame's origin, J
+    double waterPotentialEnergy = 0;           ///< rho g times the integral of depth over the displacement, J
+
+    EnergyLedger energy;  ///< since it was first stepped, or last woken
+
+    int evaluations = 0;         ///< of the water's pressure in the last substep; a body at ease needs one
+    bool spinIsLimited = false;  ///< it spins past pi/4 a substep: Bullet cannot follow, and it turns less
+    bool shapeHasChanged =
+        false;  ///< swapped or scaled since its hull was read: remove the body and add it anew
 
     double totalEnergy() const { return kineticEnergy + gravitationalEnergy + waterPotentialEnergy; }
 };

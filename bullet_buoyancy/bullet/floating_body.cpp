@@ -1,22 +1,17 @@
 #include "bullet_buoyancy/bullet/floating_body.h"
 
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
-#include "bullet_buoyancy/hydrodynamics/wet_rate.h"
-#include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
-#include "bullet_buoyancy/motion/energy.h"
+#include "bullet_buoyancy/hydrostatics/stiffness_bound.h"
 #include "bullet_buoyancy/motion/rest.h"
-#include "bullet_buoyancy/motion/velocity_step.h"
 
 namespace bullet_buoyancy {
 
 namespace {
-
-constexpr int gyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
-                                BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
-                                BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 
 bool isFinite(const btRigidBody& body) {
     const btTransform& transform = body.getWorldTransform();
@@ -37,12 +32,16 @@ bool turnsFreely(const btRigidBody& body) {
     return hasInertia(body) && toEigen(body.getAngularFactor()) == Vec3::Ones();
 }
 
-Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double time) {
-    const Vec3 point = field.frame().pointFromWorld(pointWorld);
-    Vec3 velocity;
-    field.sampleVelocity(Eigen::Map<const Eigen::ArrayX3d>(point.data(), 1, 3), time,
-                         Eigen::Map<Eigen::ArrayX3d>(velocity.data(), 1, 3));
-    return field.frame().worldFromFrame() * velocity;
+Inertia inertiaOf(const btRigidBody& body) {
+    Inertia inertia;
+    inertia.mass = 1 / double(body.getInvMass());
+    inertia.inversePrincipal = toEigen(body.getInvInertiaDiagLocal());
+    for (int i = 0; i < 3; ++i)
+        inertia.principal[i] = inertia.inversePrincipal[i] > 0 ? 1 / inertia.inversePrincipal[i] : 0;
+    inertia.linearFactor = toEigen(body.getLinearFactor());
+    inertia.angularFactor = toEigen(body.getAngularFactor());
+    inertia.turnsFreely = turnsFreely(body);
+    return inertia;
 }
 
 BodyState stateOf(double wetFraction) {
@@ -80,56 +79,50 @@ BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
     return status;
 }
 
-FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def) : m_body(&body), m_def(def) {
+FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
+    : m_body(&body),
+      m_def(def),
+      m_knownShape(body.getCollisionShape()),
+      m_knownScaling(m_knownShape ? m_knownShape->getLocalScaling() : btVector3(1, 1, 1)) {
     m_report.state = BodyState::notStepped;
-    borrow();
+    m_borrowed.borrow(body);
+    m_inertia.mass = 0;  // so that it has changed
     massHasChanged();
     body.activate();
 }
 
-/// Again in each step, so that what the user sets in the meantime is what he gets back.
-void FloatingBody::borrow() {
-    const double linear = double(m_body->getLinearDamping()), angular = double(m_body->getAngularDamping());
-    if (linear != 0) m_borrowed.linearDamping = linear;
-    if (angular != 0) m_borrowed.angularDamping = angular;
-    if (linear != 0 || angular != 0) m_body->setDamping(0, 0);
-    m_borrowed.gyroscopicFlags |= m_body->getFlags() & gyroscopicFlags;
-    m_body->setFlags(m_body->getFlags() & ~gyroscopicFlags);
-}
-
 void FloatingBody::giveBack() {
-    m_body->setDamping(btScalar(m_borrowed.linearDamping), btScalar(m_borrowed.angularDamping));
-    m_body->setFlags((m_body->getFlags() & ~gyroscopicFlags) | m_borrowed.gyroscopicFlags);
+    m_borrowed.giveBack(*m_body);
     m_body->activate();
 }
 
 void FloatingBody::skip(BodyState reason) {
     m_report.state = reason;
+    m_report.evaluations = 0;
     if (reason == BodyState::asleep) m_report.kineticEnergy = 0;
 }
 
 void FloatingBody::step(const WaterNow& water, double dt) {
     if (m_body->isStaticOrKinematicObject()) return skip(BodyState::notDynamic);
     if (!isFinite(*m_body)) return skip(BodyState::notFinite);
-    if (staysAsleep(water)) return skip(BodyState::asleep);
+    const bool reweighed = massHasChanged();
+    if (staysAsleep(water, reweighed)) return skip(BodyState::asleep);
 
-    borrow();
-    const Pose pose = toPose(m_body->getWorldTransform());
-    const HydrostaticResult pressure = evaluateExact(hull(), pose, water.field, {water.gravity, water.time});
-    const Substep substep{water, dt, pose, pressure, wetness(pressure.submergedVolume), owed(dt)};
-    Motion motion;
-    stepTranslation(substep, motion);
-    if (turnsFreely(*m_body))
-        stepRotation(substep, motion);
-    else
-        stepRestrictedRotation(substep, motion);
-    if (substep.wet.fraction > 0) keepAwakeUnlessAtRest(water, motion);
-    writeReport(substep, motion);
+    m_borrowed.borrow(*m_body);
+    const WaterLoad field(water, m_def, m_inertia.mass, toEigen(m_body->getGravity()),
+                          m_borrowed.linearDampingRate());
+    const StepperDef stepper{m_def.stepping, hull().bounds.centre.norm() + hull().bounds.radius,
+                             m_flexibility * water.field.density() * water.gravity};
+    arrive(stepper, field, reweighed, dt);
+    m_motion.settle(m_inertia, stepper, field, dt);
+    m_motion.depart(m_inertia, stepper, field, dt);
+    m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.stepping), dt);
+    writeReport(water, field, dt);
+    if (m_report.wetFraction > 0) keepAwakeUnlessAtRest(water);
 }
 
 /// Still water lets sleeping bodies lie; moving water wakes those it may reach, and so does a change of mass.
-bool FloatingBody::staysAsleep(const WaterNow& water) {
-    const bool reweighed = massHasChanged();
+bool FloatingBody::staysAsleep(const WaterNow& water, bool reweighed) {
     if (m_body->isActive()) return false;
     const Pose pose = toPose(m_body->getWorldTransform());
     const Vec3 centre = pose.position + pose.orientation * hull().bounds.centre;
@@ -139,127 +132,114 @@ bool FloatingBody::staysAsleep(const WaterNow& water) {
     return !m_body->isActive();
 }
 
-/// Since it was last asked.
+/// Since it was last asked; notes what follows from it.
 bool FloatingBody::massHasChanged() {
-    const double inverseMass = double(m_body->getInvMass());
-    const Vec3 inverseInertia = toEigen(m_body->getInvInertiaDiagLocal());
-    const bool changed = inverseMass != m_knownInverseMass || inverseInertia != m_knownInverseInertia;
-    m_knownInverseMass = inverseMass;
-    m_knownInverseInertia = inverseInertia;
+    const Inertia now = inertiaOf(*m_body);
+    const bool changed = now.mass != m_inertia.mass || now.inversePrincipal != m_inertia.inversePrincipal ||
+                         now.turnsFreely != m_inertia.turnsFreely;
+    m_inertia = now;
+    if (changed) {
+        const StiffnessBound bound = stiffnessBound(hull(), 1);
+        m_flexibility =
+            std::max(bound.heave / now.mass, bound.perAxisTurn.cwiseProduct(now.inversePrincipal).maxCoeff());
+    }
     return changed;
 }
 
-FloatingBody::Wetness FloatingBody::wetness(double submergedVolume) const {
-    const double fraction = std::clamp(submergedVolume / hull().moments.volume, 0.0, 1.0);
-    return {fraction, wetRate(m_def.linearDrag, fraction, m_def.scaleByWetFraction),
-            wetRate(m_def.angularDamping, fraction, m_def.scaleByWetFraction)};
+bool FloatingBody::shapeHasChanged() const {
+    const btCollisionShape* shape = m_body->getCollisionShape();
+    return shape != m_knownShape || (shape && !(shape->getLocalScaling() == m_knownScaling));
 }
 
-/// Gravity and water must carry a body through the same substeps. In the first one that the action sees,
-/// gravity alone acted on the body; if it was woken in the middle of a stepSimulation, neither did, and for
-/// the rest of that the water alone does, since Bullet applies gravity only at the start.
-FloatingBody::Owed FloatingBody::owed(double dt) {
+/// On the body, in the substep that has passed.
+bool FloatingBody::gravityActed() const {
     const btVector3 weight = m_body->getGravity() * (m_body->getLinearFactor() / m_body->getInvMass());
-    const bool gravityActed = m_body->getTotalForce().dot(weight) > weight.length2() / 2;
-    const bool waterActed = wasStepped(m_report.state);
-    m_wokenWithoutGravity = !gravityActed && (m_wokenWithoutGravity || m_report.state == BodyState::asleep);
-    return {gravityActed && !waterActed ? dt : 0, waterActed && m_wokenWithoutGravity ? dt : 0};
+    return weight.isZero() || m_body->getTotalForce().dot(weight) > weight.length2() / 2;
 }
 
-/// By contacts, joints and the user in the substep that has passed.
-Vec3 FloatingBody::accelerationByOthers(double dt) const {
-    if (!wasStepped(m_report.state) || m_wokenWithoutGravity) return Vec3::Zero();
-    return (toEigen(m_body->getLinearVelocity()) - m_handedVelocity) / dt - toEigen(m_body->getGravity());
+/// After a body has been woken in the middle of a stepSimulation, Bullet leaves gravity out for the rest of
+/// it.
+void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, bool reweighed, double dt) {
+    const bool gravity = gravityActed();
+    m_wokenWithoutGravity = !gravity && (m_wokenWithoutGravity || m_report.state == BodyState::asleep);
+    const Return how = m_handover.take(*m_body, dt, !m_wokenWithoutGravity);
+    if (!wasStepped(m_report.state)) {
+        start(stepper, field, gravity, dt);
+    } else if (reweighed) {
+        Disturbance atItsSpin = m_handover.disturbance();
+        atItsSpin.turnedByHand = true;
+        m_motion.arriveElsewhere(m_inertia, m_handover.pose(), atItsSpin);
+    } else if (how == Return::atTarget) {
+        m_motion.arrive();
+    } else if (how == Return::astray) {
+        m_motion.arriveAstray(m_inertia, m_handover.pose());
+    } else {
+        m_motion.arriveElsewhere(m_inertia, m_handover.pose(), m_handover.disturbance());
+    }
 }
 
-/// Sets the velocity. Bullet's own damping goes on, towards rest in the world, but spares the velocity that
-/// gravity is to cancel.
-void FloatingBody::stepTranslation(const Substep& substep, Motion& motion) {
-    const auto& [water, dt, pose, pressure, wet, owed] = substep;
-    const double airRate = dampingRate(1 - m_borrowed.linearDamping, 1);
-    LinearLoad load;
-    load.acceleration = double(m_body->getInvMass()) * pressure.forceWorld;
-    load.gravity = toEigen(m_body->getGravity());
-    load.dragRate = wet.dragRate + airRate;
-    if (wet.dragRate > 0 && !water.bounds.still)
-        load.mediumVelocity =
-            wet.dragRate / load.dragRate *
-            waterVelocityAt(water.field, pose.position + pressure.centreOfBuoyancyFromCom, water.time);
-    if (!wasStepped(m_report.state)) m_relief.restart();
-    load.relief = m_relief.update(load.acceleration + load.gravity, accelerationByOthers(dt));
-
-    const Vec3 before = toEigen(m_body->getLinearVelocity());
-    const Vec3 arrival = before + owed.byWater * load.acceleration + owed.byGravity * load.gravity;
-    const VelocityStep step = stepVelocity(arrival, load, dt);
-    const Vec3 change = (step.forEngine - before).cwiseProduct(toEigen(m_body->getLinearFactor()));
-    m_body->setLinearVelocity(toBullet(before + change));
-    m_handedVelocity = toEigen(m_body->getLinearVelocity());
-
-    motion.velocity = step.atPose;
-    motion.kineticEnergy += translationalEnergy(1 / double(m_body->getInvMass()), step.atPose);
-    motion.acceleration = unbalanced((load.acceleration + load.gravity).norm(), load.relief);
+/// Bullet takes a body's first step before the action sees it, with gravity and without water. Where nothing
+/// held the body, that step is taken again, by us; Bullet's body is led to its end in the next one.
+void FloatingBody::start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt) {
+    const Vec3 weight = field.weight(), velocity = toEigen(m_body->getLinearVelocity());
+    const bool fell = velocity.dot(weight) > dt / 2 * weight.squaredNorm() / m_inertia.mass;
+    if (!(gravity && fell)) return m_motion.start(motionByBullet());
+    m_motion.start(motionBeforeBullet(dt));
+    m_motion.settle(m_inertia, stepper, field, dt);
+    m_motion.depart(m_inertia, stepper, field, dt);
+    m_motion.arrive();
 }
 
-/// Sets the angular velocity by the momentum.
-void FloatingBody::stepRotation(const Substep& substep, Motion& motion) {
-    const auto& [water, dt, pose, pressure, wet, owed] = substep;
-    const RotationalInertia inertia{pose.worldFromBody(),
-                                    toEigen(m_body->getInvInertiaDiagLocal()).cwiseInverse()};
-    const Vec3 arrival = toEigen(m_body->getAngularVelocity());
-    if (wasStepped(m_report.state))
-        m_momentum.absorb(inertia, arrival, dt);
-    else
-        m_momentum.restart(inertia, arrival, dt);
-    m_momentum.addImpulse(owed.byWater * pressure.torqueAboutCom);
-
-    const Vec3 before = m_momentum.value();
-    const double relief = m_momentum.step(pressure.torqueAboutCom, wet.dampingRate, dt);
-    m_body->setAngularVelocity(toBullet(inertia.spin(m_momentum.value())));
-    m_momentum.handOver(inertia, toEigen(m_body->getAngularVelocity()));
-
-    const Vec3 atPose = (before + m_momentum.value()) / 2;
-    motion.kineticEnergy += rotationalEnergy(atPose, inertia.spin(atPose));
-    motion.torque = unbalanced(pressure.torqueAboutCom.norm(), relief);
+Motion FloatingBody::motionByBullet() const {
+    Motion motion;
+    motion.pose = m_handover.pose();
+    motion.velocity = toEigen(m_body->getLinearVelocity());
+    motion.setSpin(m_inertia, toEigen(m_body->getAngularVelocity()));
+    return motion;
 }
 
-/// For a body that may not, or cannot, be turned about some axis (angular factor or inverse inertia 0):
-/// others hold it there by torques that no momentum of ours knows of, so its angular velocity is its state,
-/// and the torque an impulse as Bullet takes it.
-void FloatingBody::stepRestrictedRotation(const Substep& substep, Motion& motion) {
-    const DampedStep damped(substep.wet.dampingRate, substep.dt);
-    m_body->setAngularVelocity(btScalar(damped.decay) * m_body->getAngularVelocity());
-    m_body->applyTorqueImpulse(
-        toBullet((substep.dt + substep.owed.byWater) * substep.pressure.torqueAboutCom));
-    m_momentum = AngularMomentum();
-    const Vec3 spinInBody = substep.pose.orientation.conjugate() * toEigen(m_body->getAngularVelocity());
-    motion.kineticEnergy +=
-        rotationalEnergy(toEigen(m_body->getLocalInertia()).cwiseProduct(spinInBody), spinInBody);
+/// Where Bullet found the body, with the velocity before gravity.
+Motion FloatingBody::motionBeforeBullet(double dt) const {
+    Motion motion = motionByBullet();
+    motion.pose = fly(motion, m_inertia, -dt, Turning::atSpin).pose;
+    motion.velocity -= dt * toEigen(m_body->getGravity()).cwiseProduct(toEigen(m_body->getLinearFactor()));
+    motion.setSpin(m_inertia, motion.spin);
+    return motion;
 }
 
 /// Bullet alone would let whatever is slower than 0.8 m/s fall asleep in the middle of a swing or a rise.
-void FloatingBody::keepAwakeUnlessAtRest(const WaterNow& water, const Motion& motion) {
-    const double length = 2 * hull().bounds.radius, inverseMass = double(m_body->getInvMass());
-    const Unrest unrest{std::sqrt(2 * motion.kineticEnergy * inverseMass), motion.acceleration,
-                        motion.torque * inverseMass / length};
+void FloatingBody::keepAwakeUnlessAtRest(const WaterNow& water) {
+    const double length = 2 * hull().bounds.radius, inverseMass = 1 / m_inertia.mass;
+    const Load& load = m_motion.load();
+    const Unrest unrest{std::sqrt(2 * m_report.kineticEnergy * inverseMass),
+                        unbalanced(m_inertia.velocityChange(load.force).norm(), m_motion.linearRelief()),
+                        m_inertia.turnsFreely
+                            ? unbalanced(load.torque.norm(), m_motion.angularRelief()) * inverseMass / length
+                            : 0};
     if (!water.bounds.still || !isAtRest(unrest, water.gravity, length)) m_body->activate();
 }
 
-void FloatingBody::writeReport(const Substep& substep, const Motion& motion) {
-    const auto& [water, dt, pose, pressure, wet, owed] = substep;
-    const Vec3 fromOrigin = pose.position - water.field.frame().originWorld();
-    m_report.state = stateOf(wet.fraction);
-    m_report.modelled = {wet.fraction > 0 && water.gravity > 0, wet.dragRate > 0, wet.dampingRate > 0,
-                         turnsFreely(*m_body)};
-    m_report.forceWorld = toBullet(pressure.forceWorld);
-    m_report.torqueAboutCom = toBullet(pressure.torqueAboutCom);
-    m_report.submergedVolume = pressure.submergedVolume;
-    m_report.wetFraction = wet.fraction;
-    m_report.centreOfBuoyancyWorld = toBullet(pose.position + pressure.centreOfBuoyancyFromCom);
+void FloatingBody::writeReport(const WaterNow& water, const WaterLoad& field, double dt) {
+    const Motion& motion = m_motion.motion();
+    const Load& load = m_motion.load();
+    m_report.wetFraction = field.wetFraction(load);
+    m_report.state = stateOf(m_report.wetFraction);
+    m_report.modelled = {m_report.wetFraction > 0 && water.gravity > 0, load.dragRate > 0,
+                         load.dampingRate > 0, m_inertia.turnsFreely};
+    m_report.forceWorld = toBullet(load.force - field.weight());
+    m_report.torqueAboutCom = toBullet(load.torque);
+    m_report.submergedVolume = load.displacement;
+    m_report.centreOfBuoyancyWorld = toBullet(motion.pose.position + load.centreFromCom);
     m_report.velocity = toBullet(motion.velocity);
-    m_report.kineticEnergy = motion.kineticEnergy;
-    m_report.gravitationalEnergy =
-        gravitationalEnergy(1 / double(m_body->getInvMass()), toEigen(m_body->getGravity()), fromOrigin);
-    m_report.waterPotentialEnergy = pressure.potentialEnergy;
+    m_report.spin = toBullet(motion.spin);
+    m_report.angularMomentum = toBullet(motion.momentum);
+    m_report.kineticEnergy = kineticEnergy(motion, m_inertia);
+    m_report.gravitationalEnergy = field.gravitationalEnergyAt(motion.pose);
+    m_report.waterPotentialEnergy = load.potential - m_report.gravitationalEnergy;
+    m_report.energy = m_motion.ledger();
+    m_report.evaluations = m_motion.evaluations();
+    m_report.spinIsLimited = m_motion.departure().spin.norm() * dt > largestTurn;
+    m_report.shapeHasChanged = shapeHasChanged();
 }
 
 }  // namespace bullet_buoyancy

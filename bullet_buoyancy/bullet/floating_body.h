@@ -5,22 +5,15 @@
 #include "bullet_buoyancy/bullet/body_def.h"
 #include "bullet_buoyancy/bullet/body_report.h"
 #include "bullet_buoyancy/bullet/body_status.h"
+#include "bullet_buoyancy/bullet/borrowed_settings.h"
+#include "bullet_buoyancy/bullet/handover.h"
 #include "bullet_buoyancy/bullet/precision.h"
-#include "bullet_buoyancy/hydrostatics/hydrostatics.h"
-#include "bullet_buoyancy/motion/angular_momentum.h"
+#include "bullet_buoyancy/bullet/water_load.h"
 
 namespace bullet_buoyancy {
 
-/// The water as it meets the bodies in one substep.
-struct WaterNow {
-    const WaterField& field;
-    WaterBounds bounds;
-    double gravity;  ///< of the world, along the water frame's down, m/s^2
-    double time;     ///< s
-};
-
-/// One rigid body in the care of the action: what was borrowed from Bullet, the momentum that is its state,
-/// and what was last reported.
+/// One rigid body in the care of the action: what was borrowed from Bullet, its motion, and what was last
+/// reported.
 class FloatingBody {
 public:
     /// Checks body and settings; changes nothing.
@@ -44,59 +37,26 @@ public:
     const BodyReport& report() const { return m_report; }
 
 private:
-    /// What is Bullet's while the body is not ours.
-    struct Borrowed {
-        double linearDamping = 0, angularDamping = 0;  // Bullet's: share lost in a second
-        int gyroscopicFlags = 0;
-    };
-
-    /// How much of the body is wet, and at which rates (1/s) that slows it.
-    struct Wetness {
-        double fraction, dragRate, dampingRate;
-    };
-
-    /// Times (s) for which forces have yet to act that Bullet or the action left out.
-    struct Owed {
-        double byWater, byGravity;
-    };
-
-    struct Substep {
-        const WaterNow& water;
-        double dt;
-        Pose pose;
-        HydrostaticResult pressure;
-        Wetness wet;
-        Owed owed;
-    };
-
-    /// How the body moves at the pose, between the substeps before and after it.
-    struct Motion {
-        Vec3 velocity = Vec3::Zero();  // m/s
-        double kineticEnergy = 0;      // J
-        double acceleration = 0;       // by forces that do not balance, m/s^2
-        double torque = 0;             // that does not balance, N m
-    };
-
-    void borrow();
-    bool staysAsleep(const WaterNow& water);
+    bool staysAsleep(const WaterNow& water, bool reweighed);
     bool massHasChanged();
-    Wetness wetness(double submergedVolume) const;
-    Owed owed(double dt);
-    Vec3 accelerationByOthers(double dt) const;
-    void stepTranslation(const Substep& substep, Motion& motion);
-    void stepRotation(const Substep& substep, Motion& motion);
-    void stepRestrictedRotation(const Substep& substep, Motion& motion);
-    void keepAwakeUnlessAtRest(const WaterNow& water, const Motion& motion);
-    void writeReport(const Substep& substep, const Motion& motion);
+    bool shapeHasChanged() const;
+    bool gravityActed() const;
+    void arrive(const StepperDef& stepper, const WaterLoad& field, bool reweighed, double dt);
+    void start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt);
+    Motion motionByBullet() const;
+    Motion motionBeforeBullet(double dt) const;
+    void keepAwakeUnlessAtRest(const WaterNow& water);
+    void writeReport(const WaterNow& water, const WaterLoad& field, double dt);
 
     btRigidBody* m_body;
     BodyDef m_def;
-    Borrowed m_borrowed;
-    AngularMomentum m_momentum;
-    Relief m_relief;
-    Vec3 m_handedVelocity = Vec3::Zero();  // m/s, as Bullet was given it
-    Vec3 m_knownInverseInertia = Vec3::Zero();
-    double m_knownInverseMass = 0;
+    BorrowedSettings m_borrowed;
+    Handover m_handover;
+    BodyMotion m_motion;
+    Inertia m_inertia;
+    double m_flexibility = 0;  // square of the fastest oscillation over the water's weight density, m^2/kg
+    const btCollisionShape* m_knownShape;
+    btVector3 m_knownScaling;
     bool m_wokenWithoutGravity = false;
     BodyReport m_report;
 };

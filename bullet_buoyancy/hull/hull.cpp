@@ -13,7 +13,7 @@ namespace bullet_buoyancy {
 
 namespace {
 
-/// A mesh near enough to a part to tell whether parts overlap.
+/// A mesh near enough to a part to tell whether parts overlap, and how its surface lies.
 TriangleMesh roughMesh(const TriangleMesh& mesh) {
     return mesh;
 }
@@ -135,6 +135,7 @@ HullResult makeHull(std::vector<HullPart> parts) {
         moments.push_back(takeIn(part, status));
         if (!status.accepted()) return {nullptr, status};
         hull->moments += moments.back();
+        hull->surface += std::visit([](const auto& p) { return surfaceMoments(roughMesh(p)); }, part);
         hull->surfaceArea += std::visit([](const auto& p) { return surfaceArea(p); }, part);
         std::visit(AddTo{*hull}, part);
     }

@@ -7,6 +7,7 @@
 #include "bullet_buoyancy/hull/hull_status.h"
 #include "bullet_buoyancy/hull/solid_of_revolution.h"
 #include "bullet_buoyancy/hull/sphere.h"
+#include "bullet_buoyancy/hull/surface_moments.h"
 
 namespace bullet_buoyancy {
 
@@ -21,7 +22,9 @@ struct Hull {
     VolumeMoments
         moments;  ///< of everything, overlaps as often as they are; see `volumeMoments` for open meshes
     double surfaceArea = 0;  ///< of everything, m^2
-    Sphere bounds;           ///< encloses everything
+    SurfaceMoments
+        surface;    ///< of everything, curved parts roughly: to estimate from above, not to integrate
+    Sphere bounds;  ///< encloses everything
 };
 
 using HullPart = std::variant<TriangleMesh, Sphere, SolidOfRevolution>;

@@ -10,21 +10,34 @@ namespace bullet_buoyancy {
 /// The exact solution of dv/dt = a - rate v over one step with constant a: v(dt) = decay v(0) + gain a. Does
 /// not depend on how a time is cut into steps, and drag alone never reverses a motion, whatever rate and dt.
 struct DampedStep {
+    double rate;   ///< 1/s
     double dt;     ///< s
     double decay;  ///< 1
     double gain;   ///< s
 
-    /// `rate` >= 0 in 1/s (infinite: stops at once), `step` > 0 in s.
-    DampedStep(double rate, double step)
-        : dt(step),
-          decay(std::exp(-rate * step)),
-          gain(rate * step > 0 ? -std::expm1(-rate * step) / rate : step) {}
+    /// `decayRate` >= 0 in 1/s (infinite: stops at once), `step` > 0 in s.
+    DampedStep(double decayRate, double step) : rate(decayRate), dt(step), decay(1), gain(step) {
+        if (!(rate * step > 0)) return;
+        const double lost = -std::expm1(-rate * step);
+        decay = 1 - lost;
+        gain = lost / rate;
+    }
 
-    /// A velocity or momentum after the step under a constant `load` (its rate of change), of which contacts
-    /// and joints take the share `relief` (0 to 1) upon them, but only after us. So a free body approaches
-    /// its terminal velocity exactly, and one that is held gets the whole of its load to press with.
-    Vec3 advance(const Vec3& value, const Vec3& load, double relief) const {
-        return decay * value + (gain + relief * (dt - gain)) * load;
+    /// A velocity or momentum after the step under a constant `load` (its rate of change), which acts for
+    /// `extra` (s) more without decay.
+    Vec3 advance(const Vec3& value, const Vec3& load, double extra = 0) const {
+        return decay * value + (gain + extra) * load;
+    }
+
+    /// The time (s) by which a load seems to act shorter over two such steps, because what it gives decays.
+    /// A body that is held by others does not move by its load, and must get this in full to press with.
+    double lostInTwoSteps() const { return 2 * dt - gain * (1 + decay); }
+
+    /// The integral of the value over the step, from `value` under a constant `load`.
+    Vec3 travel(const Vec3& value, const Vec3& load) const {
+        constexpr double smallDecay = 1e-6;  // below, the difference dt - gain has lost its digits
+        const double ofLoad = rate * dt > smallDecay ? (dt - gain) / rate : dt * dt / 2;
+        return gain * value + ofLoad * load;
     }
 };
 
@@ -34,12 +47,13 @@ class Relief {
 public:
     void restart() { m_last = m_beforeLast = 0; }
 
+    double share() const { return std::min(m_last, m_beforeLast); }
+
     /// `others`: what they added in the step that has passed, as a rate of change like `load`.
-    double update(const Vec3& load, const Vec3& others) {
+    void update(const Vec3& load, const Vec3& others) {
         const double square = load.squaredNorm();
         m_beforeLast = m_last;
         m_last = square > 0 ? std::clamp(-others.dot(load) / square, 0.0, 1.0) : 0;
-        return std::min(m_last, m_beforeLast);
     }
 
 private:

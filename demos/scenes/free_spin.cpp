@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "bullet_buoyancy/motion/inertia.h"
 #include "scenes/float_scene.h"
 
 namespace bullet_buoyancy::scenes {
 
 namespace {
 
+/// Of a body that Bullet turns by itself.
 Vec3 angularMomentum(const btRigidBody& body) {
     const RotationalInertia inertia{poseOf(body).worldFromBody(), toEigen(body.getLocalInertia())};
     return inertia.momentum(toEigen(body.getAngularVelocity()));
@@ -34,9 +36,11 @@ std::vector<SpinSample> spinFreely(const SpinDef& def, SpinOwner owner, const St
     if (owner == SpinOwner::bullet) box.setGravity({0, 0, 0});
 
     std::vector<SpinSample> samples{{0, angularMomentum(box)}};
+    const BodyReport& report = scene.buoyancy().report(box);
     while (scene.time() < def.seconds) {
         scene.step(stepping.dt, stepping.substeps);
-        samples.push_back({scene.time(), angularMomentum(box)});
+        samples.push_back({scene.time(), owner == SpinOwner::library ? toEigen(report.angularMomentum)
+                                                                     : angularMomentum(box)});
     }
     return samples;
 }

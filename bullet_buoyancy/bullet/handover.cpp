@@ -1,0 +1,95 @@
+#include "bullet_buoyancy/bullet/handover.h"
+
+#include <cmath>
+#include <limits>
+
+#include "bullet_buoyancy/bullet/convert.h"
+#include "bullet_buoyancy/motion/free_rotation.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+/// Bullet rounds its numbers to this share of themselves, a few times on the way through a step.
+constexpr double rounding = std::numeric_limits<btScalar>::epsilon();
+
+/// Twice the sine of half the angle between two orientations, rad where it is small.
+double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+    return 2 * (a.conjugate() * b).vec().norm();
+}
+
+/// Where Bullet's pose has come to lie off ours by more than it rounds, it is brought back.
+Vec3 correction(const Vec3& ours, const Vec3& bullets) {
+    const Vec3 difference = ours - bullets;
+    const double tolerance = 2 * rounding * (bullets.cwiseAbs().maxCoeff() + 1e-3);
+    return difference.cwiseAbs().maxCoeff() > tolerance ? difference : Vec3::Zero();
+}
+
+Vec3 gravityStep(const btRigidBody& body, double dt) {
+    return dt * toEigen(body.getGravity()).cwiseProduct(toEigen(body.getLinearFactor()));
+}
+
+}  // namespace
+
+void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt) {
+    const Pose& ours = motion.motion().pose;
+    const Vec3 velocity = motion.departure().velocity + correction(ours.position, m_pose.position) / dt;
+    const bool turnedOff = angleBetween(ours.orientation, m_pose.orientation) > 4 * rounding;
+    const Eigen::Quaterniond& from = turnedOff ? m_pose.orientation : ours.orientation;
+    const Vec3 spin = turnedOff || turning == Turning::byMomentum
+                          ? Vec3(rotationVector(motion.target().orientation * from.conjugate()) / dt)
+                          : motion.departure().spin;
+    body.setLinearVelocity(toBullet(velocity - gravityStep(body, dt)));
+    body.setAngularVelocity(toBullet(spin));
+    m_velocity = body.getLinearVelocity();
+    m_spin = body.getAngularVelocity();
+    m_givenOrientation = m_pose.orientation;
+    m_target = motion.target();
+    m_dt = dt;
+}
+
+Return Handover::take(const btRigidBody& body, double dt, bool gravityActed) {
+    m_pose = toPose(body.getWorldTransform());
+    m_disturbance.velocityChange = velocityChange(body, dt, gravityActed);
+    m_disturbance.spinChange = toEigen(body.getAngularVelocity() - m_spin);
+    m_disturbance.turnedByHand = false;
+    const bool pushed =
+        m_disturbance.velocityChange != Vec3::Zero() || m_disturbance.spinChange != Vec3::Zero();
+    if (!pushed && (dt != m_dt || !gravityActed)) return Return::astray;
+    if (!pushed && isAtTarget(body)) return Return::atTarget;
+    m_disturbance.turnedByHand = !isWhereItsSpinLeads(body, dt);
+    return Return::disturbed;
+}
+
+/// By others: contacts, joints, impulses, and forces that the user applies beside gravity.
+Vec3 Handover::velocityChange(const btRigidBody& body, double dt, bool gravityActed) const {
+    const btScalar inverseMass = body.getInvMass();
+    const btVector3 external = body.getTotalForce() * inverseMass * btScalar(dt);
+    Vec3 change = toEigen(body.getLinearVelocity() - (m_velocity + external));
+    const double scale = toEigen(m_velocity).cwiseAbs().maxCoeff() + toEigen(external).cwiseAbs().maxCoeff();
+    if (change.cwiseAbs().maxCoeff() <= 4 * rounding * scale) change.setZero();
+    if (!gravityActed) return change;
+    const Vec3 byUser = toEigen(external) - gravityStep(body, dt);
+    const bool isRounding = byUser.cwiseAbs().maxCoeff() <= 8 * rounding * gravityStep(body, dt).norm();
+    return isRounding ? change : Vec3(change + byUser);
+}
+
+bool Handover::isAtTarget(const btRigidBody& body) const {
+    const double travel = toEigen(body.getLinearVelocity()).norm() * m_dt;
+    const double reach = m_target.position.cwiseAbs().maxCoeff() + travel + 1e-3;
+    return (m_pose.position - m_target.position).cwiseAbs().maxCoeff() <= 8 * rounding * reach &&
+           angleBetween(m_pose.orientation, m_target.orientation) <= 64 * rounding;
+}
+
+bool Handover::isWhereItsSpinLeads(const btRigidBody& body, double dt) const {
+    constexpr double tolerance = 1e-3;  // far above rounding, and what Bullet turns bodies out of each other
+    const Vec3 spin = toEigen(body.getAngularVelocity());
+    const double rate = spin.norm();
+    if (rate * dt > largestTurn)
+        return true;  // Bullet's own shortening of the turn is not told from a hand's
+    const Eigen::Quaterniond turn = rate > 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(rate * dt, spin / rate))
+                                             : Eigen::Quaterniond::Identity();
+    return angleBetween(turn * m_givenOrientation, m_pose.orientation) <= tolerance;
+}
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "bullet_buoyancy/bullet/precision.h"
+#include "bullet_buoyancy/motion/body_motion.h"
+
+namespace bullet_buoyancy {
+
+/// How a body comes back from Bullet's step.
+enum class Return {
+    atTarget,   ///< to the rounding of Bullet's numbers
+    astray,     ///< Bullet took another step than the last, or left gravity out
+    disturbed,  ///< others acted on it
+};
+
+/// What Bullet was given of a body's motion, and what it made of it.
+class Handover {
+public:
+    /// Sets the velocities with which Bullet, adding gravity, takes the body to the target of `motion` in a
+    /// step of `dt` (s).
+    void give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt);
+
+    /// After Bullet's step of `dt` (s). `gravityActed`: Bullet leaves it out after a body has been woken.
+    Return take(const btRigidBody& body, double dt, bool gravityActed);
+
+    /// In Bullet's precision.
+    const Pose& pose() const { return m_pose; }
+    const Disturbance& disturbance() const { return m_disturbance; }
+
+private:
+    Vec3 velocityChange(const btRigidBody& body, double dt, bool gravityActed) const;
+    bool isAtTarget(const btRigidBody& body) const;
+    bool isWhereItsSpinLeads(const btRigidBody& body, double dt) const;
+
+    btVector3 m_velocity{0, 0, 0}, m_spin{0, 0, 0};  // as given
+    Eigen::Quaterniond m_givenOrientation = Eigen::Quaterniond::Identity();
+    Pose m_target;
+    double m_dt = 0;
+    Pose m_pose;
+    Disturbance m_disturbance;
+};
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,54 @@
+#include "bullet_buoyancy/bullet/water_load.h"
+
+#include <algorithm>
+
+#include "bullet_buoyancy/hydrodynamics/wet_rate.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
+#include "bullet_buoyancy/motion/energy.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double time) {
+    const Vec3 point = field.frame().pointFromWorld(pointWorld);
+    Vec3 velocity;
+    field.sampleVelocity(Eigen::Map<const Eigen::ArrayX3d>(point.data(), 1, 3), time,
+                         Eigen::Map<Eigen::ArrayX3d>(velocity.data(), 1, 3));
+    return field.frame().worldFromFrame() * velocity;
+}
+
+}  // namespace
+
+Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
+    HydrostaticQuery query{m_water.gravity, m_water.time};
+    query.stiffness = stiffness != nullptr;
+    const HydrostaticResult pressure = evaluateExact(*m_def.hull, pose, m_water.field, query);
+    if (stiffness) *stiffness = *pressure.stiffness;
+
+    Load load;
+    load.force = pressure.forceWorld + weight();
+    load.torque = pressure.torqueAboutCom;
+    load.potential = pressure.potentialEnergy + gravitationalEnergyAt(pose);
+    load.displacement = pressure.submergedVolume;
+    load.centreFromCom = pressure.centreOfBuoyancyFromCom;
+    const double wet = wetFraction(load);
+    const double wetDrag = wetRate(m_def.linearDrag, wet, m_def.scaleByWetFraction);
+    load.dragRate = wetDrag + m_airRate;
+    load.dampingRate = wetRate(m_def.angularDamping, wet, m_def.scaleByWetFraction);
+    if (wetDrag > 0 && !m_water.bounds.still)
+        load.mediumVelocity =
+            wetDrag / load.dragRate *
+            waterVelocityAt(m_water.field, pose.position + load.centreFromCom, m_water.time);
+    return load;
+}
+
+double WaterLoad::gravitationalEnergyAt(const Pose& pose) const {
+    return gravitationalEnergy(m_mass, m_gravity, pose.position - m_water.field.frame().originWorld());
+}
+
+double WaterLoad::wetFraction(const Load& load) const {
+    return std::clamp(load.displacement / m_def.hull->moments.volume, 0.0, 1.0);
+}
+
+}  // namespace bullet_buoyancy

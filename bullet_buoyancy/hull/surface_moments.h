@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bullet_buoyancy/hull/triangle_mesh.h"
+
+namespace bullet_buoyancy {
+
+/// How much surface there is, where, and how it faces.
+struct SurfaceMoments {
+    double area = 0;                  ///< m^2
+    Mat3 position = Mat3::Zero();     ///< integral of r r^T over the surface, r from the frame's origin, m^4
+    Mat3 orientation = Mat3::Zero();  ///< integral of n n^T, n the unit normal, m^2
+
+    /// No section, however the body lies, is larger: half of integral |n.up|, the largest shadow, is bounded
+    /// by Cauchy and Schwarz. m^2.
+    double largestSection() const;
+
+    /// Half of the integral of the squared distance from each of the frame's axes, m^4: at least the second
+    /// moment of any section of a convex body about that axis.
+    Vec3 largestSecondMoments() const;
+
+    SurfaceMoments& operator+=(const SurfaceMoments& other);
+};
+
+SurfaceMoments surfaceMoments(const TriangleMesh& mesh);
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "bullet_buoyancy/motion/energy_ledger.h"
+#include "bullet_buoyancy/motion/implicit_flight.h"
+#include "bullet_buoyancy/motion/kick.h"
+
+namespace bullet_buoyancy {
+
+/// How a body is stepped.
+enum class Stepping {
+    /// As implicit as the body needs, and no more; holds it to the energy that is there.
+    guarded,
+    /// One explicit impulse, and the spin of the step's start: as published, for comparison. Light and small
+    /// bodies explode, and fast spins gain energy.
+    published,
+};
+
+inline Turning turningOf(const Inertia& inertia, Stepping stepping) {
+    return inertia.turnsFreely && stepping == Stepping::guarded ? Turning::byMomentum : Turning::atSpin;
+}
+
+/// What the stepper must know of a body beside its inertia.
+struct StepperDef {
+    Stepping stepping = Stepping::guarded;
+    double size = 1;           ///< largest distance of a wetted point from the centre of mass, m
+    double stiffestRate2 = 0;  ///< upper estimate of the square of the body's fastest oscillation, 1/s^2
+};
+
+/// What contacts, joints and the user did to a body on its way from one pose to the next.
+struct Disturbance {
+    Vec3 velocityChange = Vec3::Zero();  ///< m/s
+    Vec3 spinChange = Vec3::Zero();  ///< rad/s, at the orientation of departure, where engines solve for it
+    bool turnedByHand = false;       ///< it is not where its spin takes it: it goes on at the same spin
+};
+
+/// The owner of a body's motion: pose, velocity and angular momentum are its state, in double precision. The
+/// engine is given what carries the body from pose to pose, and what others do to the body on the way enters
+/// the state as an impulse.
+///
+/// Each step: one of `start`, `arrive`, `arriveElsewhere`; then `settle`; then `depart`.
+class BodyMotion {
+public:
+    /// Forgets the past: the body is where, and moves as, `motion` says.
+    void start(const Motion& motion);
+
+    /// At the target of `depart`.
+    void arrive() { m_motion = m_flight.arrival; }
+
+    /// Others acted on the way.
+    void arriveElsewhere(const Inertia& inertia, const Pose& pose, const Disturbance& disturbance);
+
+    /// The engine took a step of another length than was said, without anybody else's doing.
+    void arriveAstray(const Inertia& inertia, const Pose& pose);
+
+    /// Ends the step: after it, `motion` is that at the pose, and `load` what acts there.
+    void settle(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
+
+    /// Begins the next step: with `departure`, to `target`.
+    void depart(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
+
+    const Motion& motion() const { return m_motion; }
+    const Motion& departure() const { return m_flight.departure; }
+    const Pose& target() const { return m_flight.arrival.pose; }
+    const Load& load() const { return m_load; }
+    const EnergyLedger& ledger() const { return m_ledger; }
+    double linearRelief() const { return m_linearRelief.share(); }
+    double angularRelief() const { return m_angularRelief.share(); }
+
+    /// How often the load was evaluated since the last call of `settle`, that call included.
+    int evaluations() const { return m_evaluations; }
+
+private:
+    void endStep(const Inertia& inertia, double dt);
+    void evaluate(const LoadField& field);
+    void noteOthers(const Inertia& inertia, double dt);
+    void spend(const Dissipation& dissipated);
+    void account(const Inertia& inertia);
+    bool isHeld() const;
+    bool mustLookAhead(const StepperDef& def, double dt) const;
+    Flight flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const;
+    Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const LoadField& field, double dt);
+    Flight flyImplicitly(const Inertia& inertia, const LoadField& field, double implicitness, double dt);
+    bool isWithinEnergy(const Flight& flight, const Inertia& inertia) const;
+
+    Motion m_motion;
+    Load m_load;
+    Flight m_flight;                     // the one under way
+    bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
+    Vec3 m_carriedForce = Vec3::Zero();  // what the kick that ends the flight takes from its start
+    Vec3 m_carriedTorque = Vec3::Zero();
+    double m_weightOfArrival = 1;  // of the load there in that kick
+    bool m_damps = false;          // the flight is one that takes energy for good
+
+    // What others did on the way.
+    bool m_disturbed = true;
+    Vec3 m_impulse = Vec3::Zero(), m_angularImpulse = Vec3::Zero();
+    Relief m_linearRelief, m_angularRelief;
+
+    bool m_isNew = true;
+    double m_energy = 0;     // kinetic and potential at the last pose, less what was dissipated since, J
+    double m_available = 0;  // the most that it may be, J
+    EnergyLedger m_ledger;
+    int m_evaluations = 0;
+};
+
+}  // namespace bullet_buoyancy

@@ -1,0 +1,71 @@
+#include "bullet_buoyancy/motion/free_flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_buoyancy/motion/free_rotation.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+Eigen::Quaterniond turnedAtSpin(const Eigen::Quaterniond& orientation, const Vec3& spin, double dt) {
+    const double rate = spin.norm();
+    if (rate == 0) return orientation;
+    const double angle = std::clamp(rate * dt, -largestTurn, largestTurn);
+    return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, spin / rate)) * orientation).normalized();
+}
+
+/// Cut short in time where the turn would be too large, so that no energy is made of it.
+Eigen::Quaterniond turnedByMomentum(const Motion& motion, const Inertia& inertia, double dt) {
+    const Eigen::Quaterniond& orientation = motion.pose.orientation;
+    const Vec3 momentumInBody = orientation.conjugate() * motion.momentum;
+    constexpr double margin = 1 - 1e-9;
+    const double expected = motion.spin.norm() * dt;
+    double time = expected > margin * largestTurn ? dt * margin * largestTurn / expected : dt;
+    for (int attempt = 0;; ++attempt) {
+        const Eigen::Quaterniond turn = turnFreely(inertia.principal, momentumInBody, time);
+        const double halfAngle = std::atan2(turn.vec().norm(), std::abs(turn.w()));
+        if (2 * halfAngle <= largestTurn || attempt == 8) return (orientation * turn).normalized();
+        time *= margin * largestTurn / (2 * halfAngle);
+    }
+}
+
+}  // namespace
+
+void Motion::setMomentum(const Inertia& inertia, const Vec3& value) {
+    momentum = value;
+    spin = inertia.spin(pose.orientation, value);
+}
+
+void Motion::setSpin(const Inertia& inertia, const Vec3& value) {
+    spin = value;
+    momentum = inertia.momentum(pose.orientation, value);
+}
+
+void Motion::push(const Inertia& inertia, const Vec3& impulse, const Vec3& angularImpulse) {
+    velocity += inertia.velocityChange(impulse);
+    if (inertia.turnsFreely)
+        setMomentum(inertia, momentum + angularImpulse);
+    else
+        setSpin(inertia, spin + inertia.spinChange(pose.orientation, angularImpulse));
+}
+
+double kineticEnergy(const Motion& motion, const Inertia& inertia) {
+    return (inertia.mass * motion.velocity.squaredNorm() + motion.momentum.dot(motion.spin)) / 2;
+}
+
+Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning) {
+    Motion end = motion;
+    end.pose.position += dt * motion.velocity;
+    end.pose.orientation = turning == Turning::byMomentum
+                               ? turnedByMomentum(motion, inertia, dt)
+                               : turnedAtSpin(motion.pose.orientation, motion.spin, dt);
+    if (inertia.turnsFreely)
+        end.setMomentum(inertia, motion.momentum);
+    else
+        end.setSpin(inertia, motion.spin);
+    return end;
+}
+
+}  // namespace bullet_buoyancy

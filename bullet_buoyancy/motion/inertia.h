@@ -1,0 +1,55 @@
+#pragma once
+
+#include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/core/math_types.h"
+#include "bullet_buoyancy/core/pose.h"
+
+namespace bullet_buoyancy {
+
+/// The largest angle by which the engine turns a body in a step as its spin says (Bullet:
+/// ANGULAR_MOTION_THRESHOLD), rad.
+inline constexpr double largestTurn = pi / 4;
+
+/// How a body's spin follows from its angular momentum L, in world axes, about its centre of mass:
+/// L = R I R^T omega, with I the principal moments of inertia along the body's axes and R body to world.
+struct RotationalInertia {
+    Mat3 worldFromBody = Mat3::Identity();
+    Vec3 principal = Vec3::Ones();  ///< kg m^2, above zero
+
+    Vec3 momentum(const Vec3& spin) const {
+        return worldFromBody * principal.cwiseProduct(worldFromBody.transpose() * spin);
+    }
+    Vec3 spin(const Vec3& momentum) const {
+        return worldFromBody * (worldFromBody.transpose() * momentum).cwiseQuotient(principal);
+    }
+};
+
+/// How a body answers to impulses.
+struct Inertia {
+    double mass = 1;                       ///< kg
+    Vec3 principal = Vec3::Ones();         ///< moments along the body's axes, kg m^2; 0: cannot be turned
+    Vec3 inversePrincipal = Vec3::Ones();  ///< 1/(kg m^2); 0: cannot be turned
+    Vec3 linearFactor = Vec3::Ones();      ///< share of an impulse that moves the body, along world axes
+    Vec3 angularFactor = Vec3::Ones();     ///< likewise about world axes
+
+    /// Otherwise torques that nobody knows of hold the body about some axis. Its angular momentum then says
+    /// nothing, and it turns as the engine turns it: at its spin.
+    bool turnsFreely = true;
+
+    Vec3 velocityChange(const Vec3& impulse) const { return impulse.cwiseProduct(linearFactor) / mass; }
+
+    Vec3 momentum(const Eigen::Quaterniond& orientation, const Vec3& spin) const {
+        return orientation * principal.cwiseProduct(orientation.conjugate() * spin);
+    }
+    Vec3 spin(const Eigen::Quaterniond& orientation, const Vec3& momentum) const {
+        return orientation * inversePrincipal.cwiseProduct(orientation.conjugate() * momentum);
+    }
+    /// By an impulse of torque (N m s).
+    Vec3 spinChange(const Eigen::Quaterniond& orientation, const Vec3& impulse) const {
+        return turnsFreely
+                   ? spin(orientation, impulse)
+                   : spin(orientation, impulse.cwiseProduct(angularFactor)).cwiseProduct(angularFactor);
+    }
+};
+
+}  // namespace bullet_buoyancy
