@@ -182,27 +182,26 @@ void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, boo
 /// held the body, that step is taken again, by us; Bullet's body is led to its end in the next one.
 void FloatingBody::start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt) {
     const Vec3 weight = field.weight(), velocity = toEigen(m_body->getLinearVelocity());
-    const bool fell = velocity.dot(weight) > dt / 2 * weight.squaredNorm() / m_inertia.mass;
-    if (!(gravity && fell)) return m_motion.start(motionByBullet());
-    m_motion.start(motionBeforeBullet(dt));
+    const bool fell = velocity.dot(weight) >= dt / 2 * weight.squaredNorm() / m_inertia.mass;
+    Motion before = motionBefore(dt);
+    if (!(gravity && fell)) {
+        before.moveTo(m_inertia, m_handover.pose());
+        return m_motion.start(before);
+    }
+    before.velocity -= dt * m_inertia.velocityChange(weight);
+    m_motion.start(before);
     m_motion.settle(m_inertia, stepper, field, dt);
     m_motion.depart(m_inertia, stepper, field, dt);
     m_motion.arrive();
 }
 
-Motion FloatingBody::motionByBullet() const {
+/// Bullet moved the body at the velocities it has now.
+Motion FloatingBody::motionBefore(double dt) const {
     Motion motion;
     motion.pose = m_handover.pose();
     motion.velocity = toEigen(m_body->getLinearVelocity());
-    motion.setSpin(m_inertia, toEigen(m_body->getAngularVelocity()));
-    return motion;
-}
-
-/// Where Bullet found the body, with the velocity before gravity.
-Motion FloatingBody::motionBeforeBullet(double dt) const {
-    Motion motion = motionByBullet();
+    motion.spin = toEigen(m_body->getAngularVelocity());
     motion.pose = fly(motion, m_inertia, -dt, Turning::atSpin).pose;
-    motion.velocity -= dt * toEigen(m_body->getGravity()).cwiseProduct(toEigen(m_body->getLinearFactor()));
     motion.setSpin(m_inertia, motion.spin);
     return motion;
 }

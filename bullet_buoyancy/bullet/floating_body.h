@@ -43,8 +43,7 @@ private:
     bool gravityActed() const;
     void arrive(const StepperDef& stepper, const WaterLoad& field, bool reweighed, double dt);
     void start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt);
-    Motion motionByBullet() const;
-    Motion motionBeforeBullet(double dt) const;
+    Motion motionBefore(double dt) const;
     void keepAwakeUnlessAtRest(const WaterNow& water);
     void writeReport(const WaterNow& water, const WaterLoad& field, double dt);
 

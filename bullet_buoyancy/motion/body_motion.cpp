@@ -61,11 +61,9 @@ void BodyMotion::arriveElsewhere(const Inertia& inertia, const Pose& pose, const
     m_angularImpulse = inertia.momentum(departure.pose.orientation, disturbance.spinChange);
     m_motion = departure;
     m_motion.velocity += disturbance.velocityChange;
-    m_motion.pose = pose;
-    if (disturbance.turnedByHand || !inertia.turnsFreely)
-        m_motion.setSpin(inertia, departure.spin + disturbance.spinChange);
-    else
-        m_motion.setMomentum(inertia, departure.momentum + m_angularImpulse);
+    if (disturbance.turnedByHand) m_motion.pose = pose;
+    m_motion.setSpin(inertia, departure.spin + disturbance.spinChange);
+    m_motion.moveTo(inertia, pose);
 }
 
 void BodyMotion::arriveAstray(const Inertia& inertia, const Pose& pose) {

@@ -51,21 +51,27 @@ void Motion::push(const Inertia& inertia, const Vec3& impulse, const Vec3& angul
         setSpin(inertia, spin + inertia.spinChange(pose.orientation, angularImpulse));
 }
 
+void Motion::moveTo(const Inertia& inertia, const Pose& where) {
+    pose = where;
+    if (inertia.turnsFreely)
+        setMomentum(inertia, momentum);
+    else
+        setSpin(inertia, spin);
+}
+
 double kineticEnergy(const Motion& motion, const Inertia& inertia) {
     return (inertia.mass * motion.velocity.squaredNorm() + motion.momentum.dot(motion.spin)) / 2;
 }
 
 Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning) {
-    Motion end = motion;
-    end.pose.position += dt * motion.velocity;
-    end.pose.orientation = turning == Turning::byMomentum
-                               ? turnedByMomentum(motion, inertia, dt)
-                               : turnedAtSpin(motion.pose.orientation, motion.spin, dt);
-    if (inertia.turnsFreely)
-        end.setMomentum(inertia, motion.momentum);
-    else
-        end.setSpin(inertia, motion.spin);
-    return end;
+    Pose end;
+    end.position = motion.pose.position + dt * motion.velocity;
+    end.orientation = turning == Turning::byMomentum
+                          ? turnedByMomentum(motion, inertia, dt)
+                          : turnedAtSpin(motion.pose.orientation, motion.spin, dt);
+    Motion arrival = motion;
+    arrival.moveTo(inertia, end);
+    return arrival;
 }
 
 }  // namespace bullet_buoyancy

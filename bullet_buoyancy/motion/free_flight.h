@@ -14,6 +14,9 @@ struct Motion {
     /// By an impulse (N s) and one of torque (N m s).
     void push(const Inertia& inertia, const Vec3& impulse, const Vec3& angularImpulse);
 
+    /// To another pose, with the velocity, and the momentum of a body that turns freely or else the spin.
+    void moveTo(const Inertia& inertia, const Pose& where);
+
     void setMomentum(const Inertia& inertia, const Vec3& value);  ///< and the spin that follows
     void setSpin(const Inertia& inertia, const Vec3& value);      ///< and the momentum that follows
 };
