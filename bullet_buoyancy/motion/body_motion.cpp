@@ -79,7 +79,8 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
         evaluate(field);
     noteOthers(inertia, dt);
 
-    if (!m_isNew) endStep(inertia, dt);
+    m_kick = Kick(m_load, dt);
+    if (!m_isNew) endStep(inertia);
     account(inertia);
     if (def.stepping == Stepping::guarded) limitEnergy(m_motion, inertia, m_load, m_available);
     m_energy = totalEnergy(m_motion, inertia, m_load);
@@ -93,10 +94,9 @@ void BodyMotion::spend(const Dissipation& dissipated) {
 }
 
 /// The second half of the load of a step.
-void BodyMotion::endStep(const Inertia& inertia, double dt) {
-    spend(Kick(m_load, dt)
-              .apply(m_motion, inertia, m_carriedForce + m_weightOfArrival * m_load.force,
-                     m_carriedTorque + m_weightOfArrival * m_load.torque));
+void BodyMotion::endStep(const Inertia& inertia) {
+    spend(m_kick.apply(m_motion, inertia, m_carriedForce + m_weightOfArrival * m_load.force,
+                       m_carriedTorque + m_weightOfArrival * m_load.torque));
 }
 
 void BodyMotion::evaluate(const LoadField& field) {
@@ -150,7 +150,7 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
 }
 
 Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const {
-    Kick kick(m_load, dt);
+    Kick kick = m_kick;
     kick.extraForce = linearRelief() * kick.linear.lostInTwoSteps();
     kick.extraTorque = angularRelief() * kick.angular.lostInTwoSteps();
     const double share = isHeld() ? shareWhileHeld(m_load, m_motion, inertia, def.size, dt) : 1;

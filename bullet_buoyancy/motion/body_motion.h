@@ -70,7 +70,7 @@ public:
     int evaluations() const { return m_evaluations; }
 
 private:
-    void endStep(const Inertia& inertia, double dt);
+    void endStep(const Inertia& inertia);
     void evaluate(const LoadField& field);
     void noteOthers(const Inertia& inertia, double dt);
     void spend(const Dissipation& dissipated);
@@ -84,6 +84,7 @@ private:
 
     Motion m_motion;
     Load m_load;
+    Kick m_kick;                         // by it
     Flight m_flight;                     // the one under way
     bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
     Vec3 m_carriedForce = Vec3::Zero();  // what the kick that ends the flight takes from its start

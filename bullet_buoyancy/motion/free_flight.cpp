@@ -22,6 +22,9 @@ Eigen::Quaterniond turnedByMomentum(const Motion& motion, const Inertia& inertia
     const Vec3 momentumInBody = orientation.conjugate() * motion.momentum;
     constexpr double margin = 1 - 1e-9;
     const double expected = motion.spin.norm() * dt;
+    constexpr double gentle = 0.02;  // rad: 1.2 rad/s at 60 Hz
+    if (expected < gentle)
+        return (orientation * turnGently(inertia.principal, momentumInBody, dt)).normalized();
     double time = expected > margin * largestTurn ? dt * margin * largestTurn / expected : dt;
     for (int attempt = 0;; ++attempt) {
         const Eigen::Quaterniond turn = turnFreely(inertia.principal, momentumInBody, time);
@@ -66,9 +69,8 @@ double kineticEnergy(const Motion& motion, const Inertia& inertia) {
 Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning) {
     Pose end;
     end.position = motion.pose.position + dt * motion.velocity;
-    end.orientation = turning == Turning::byMomentum
-                          ? turnedByMomentum(motion, inertia, dt)
-                          : turnedAtSpin(motion.pose.orientation, motion.spin, dt);
+    end.orientation = turning == Turning::byMomentum ? turnedByMomentum(motion, inertia, dt)
+                                                     : turnedAtSpin(motion.pose.orientation, motion.spin, dt);
     Motion arrival = motion;
     arrival.moveTo(inertia, end);
     return arrival;

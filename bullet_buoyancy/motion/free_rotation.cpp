@@ -160,6 +160,22 @@ Eigen::Quaterniond turnFreely(const Vec3& principal, const Vec3& momentumInBody,
     return turn;
 }
 
+/// Four orders of Magnus's series. The spin is w0 + w1 t + w2 t^2 + w3 t^3 by Euler's equations, P' = P x w;
+/// the step is the unit of time (Blanes, Casas, Oteo and Ros, The Magnus expansion and some of its
+/// applications, Phys. Rep. 470, 2009, 2.3).
+Eigen::Quaterniond turnGently(const Vec3& principal, const Vec3& momentumInBody, double dt) {
+    const Vec3 p0 = dt * momentumInBody, w0 = p0.cwiseQuotient(principal);
+    const Vec3 p1 = p0.cross(w0), w1 = p1.cwiseQuotient(principal);
+    const Vec3 p2 = (p1.cross(w0) + p0.cross(w1)) / 2, w2 = p2.cwiseQuotient(principal);
+    const Vec3 w3 = (p2.cross(w0) + p1.cross(w1) + p0.cross(w2)).cwiseQuotient(3 * principal);
+    const Vec3 half = (w0 + w1 / 2 + w2 / 3 + w3 / 4 + w0.cross(w1 + w2) / 12) / 2;
+    const double square = half.squaredNorm();  // the series of sine and cosine reach rounding
+    Eigen::Quaterniond turn;
+    turn.w() = 1 - square / 2 * (1 - square / 12 * (1 - square / 30));
+    turn.vec() = half * (1 - square / 6 * (1 - square / 20));
+    return turn;
+}
+
 Vec3 rotationVector(const Eigen::Quaterniond& rotation) {
     const double sine = rotation.vec().norm(), cosine = rotation.w();
     if (sine == 0) return 2 * rotation.vec();

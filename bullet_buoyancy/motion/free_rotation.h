@@ -17,6 +17,11 @@ namespace bullet_buoyancy {
 /// that break the triangle inequality are served too.
 Eigen::Quaterniond turnFreely(const Vec3& principal, const Vec3& momentumInBody, double dt);
 
+/// The same for a body that merely rocks, at a quarter of the cost: the relative error of the turn is about a
+/// hundredth of the fourth power of its angle (5e-11 rad at 0.02 rad). Momentum is kept to rounding all the
+/// same.
+Eigen::Quaterniond turnGently(const Vec3& principal, const Vec3& momentumInBody, double dt);
+
 /// Rotation vector (axis times angle, rad) of a rotation given by a unit quaternion. The angle is in [0, pi],
 /// the relative error some 1e-16 near 0 as elsewhere.
 Vec3 rotationVector(const Eigen::Quaterniond& rotation);

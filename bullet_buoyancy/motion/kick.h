@@ -26,6 +26,8 @@ struct Kick {
     Vec3 mediumVelocity;
     double extraForce = 0, extraTorque = 0;  ///< times for which these act without drag, s
 
+    Kick() : Kick(Load(), 1) {}
+
     /// Half of a step of `dt` (s) in the medium that `load` tells of.
     Kick(const Load& load, double dt)
         : linear(load.dragRate, dt / 2),

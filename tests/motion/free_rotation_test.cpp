@@ -251,6 +251,21 @@ TEST(FreeRotation, InTwoHalvesIsTheWhole) {
     }
 }
 
+/// Of a series, the terms that are left out: of the fifth order in the turn.
+TEST(GentleRotation, IsTheFreeOneToTheFifthOrder) {
+    Random random(11);
+    double worst = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Vec3 moments = randomMoments(random);
+        const double angle = std::pow(10, random.uniform(-6, -1.7));
+        const Vec3 spin = angle * random.direction(), momentum = moments.cwiseProduct(spin);
+        const double error = angleBetween(turnGently(moments, momentum, 1), turnFreely(moments, momentum, 1));
+        worst = std::max(worst, (error - 1e-15) / std::pow(angle, 5));
+    }
+    EXPECT_LT(worst, 0.1);   // the next coefficients of the series are 1/20, 1/60 and less
+    EXPECT_GT(worst, 1e-4);  // it is a series
+}
+
 TEST(FreeRotation, RunsBackward) {
     Random random(7);
     for (int i = 0; i < 1000; ++i) {
