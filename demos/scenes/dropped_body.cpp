@@ -1,0 +1,96 @@
+#include "scenes/dropped_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_buoyancy/bullet/convert.h"
+#include "scenes/known_answers.h"
+
+namespace bullet_buoyancy::scenes {
+
+namespace {
+
+btRigidBody& release(FloatScene& scene, const DropDef& def, BodyDef drag) {
+    const Vec3 up = scene.water().frame().upWorld();
+    const Pose pose{scene.water().frame().originWorld() + def.height * up,
+                    Eigen::Quaterniond(scene.water().frame().worldFromFrame()) * def.orientation};
+    const double mass = def.ratio * scene.water().density() * volumeOf(def.solid, def.size);
+    btRigidBody& body = scene.addBody(makeShape(def.solid, def.size), mass, pose);
+    body.setLinearVelocity(toBullet(-def.downwardSpeed * up));
+    scene.floatBody(body, drag);
+    return body;
+}
+
+BodyDef frictionless(const btCollisionShape& shape) {
+    BodyDef def;
+    def.hull = hullFromShape(shape).hull;
+    def.linearDrag = def.angularDamping = 0;
+    return def;
+}
+
+double smallerShare(double ratio) {
+    return std::min(ratio, std::abs(1 - ratio));
+}
+
+double largestLength(const DropDef& def) {
+    return def.size.maxCoeff();
+}
+
+}  // namespace
+
+Eigen::Quaterniond askew() {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Vec3(0.2, 0.7, 0.4).normalized()));
+}
+
+FallResult fallUndamped(const DropDef& def, double seconds) {
+    FloatScene scene(def.scene);
+    const BodyDef drag = frictionless(*makeShape(def.solid, def.size));
+    btRigidBody& body = release(scene, def, drag);
+    const double start = energyAtRelease(scene, body, *drag.hull);
+    const double allowed = start * double(body.getInvMass()) / def.scene.gravity;
+    constexpr double flownOff = 1e3;
+    const Flight flight = observeFlight(scene, body, seconds, flownOff * allowed, def.stepping);
+    return {flight.highest / allowed, (flight.mostEnergy - start) / start, flight.finite};
+}
+
+SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag) {
+    FloatScene scene(def.scene);
+    btRigidBody& body = release(scene, def, drag);
+    const double share = smallerShare(def.ratio), length = share * largestLength(def);
+    RestDef rest{};
+    // A swing of that speed is about 3e-4 of the draft or freeboard. Bullet's rounding of the position keeps
+    // a body moving: by gravity for a step, times what the rounding is of the draft.
+    const double rounding = bulletRounding / share * def.scene.gravity * def.stepping.dt;
+    rest.speed = 3e-4 * std::sqrt(def.scene.gravity * length) + 4 * rounding;
+    rest.hold = std::max(5.0, 4 * pi * std::sqrt(largestLength(def) / def.scene.gravity));
+    rest.limit = limitSeconds;
+    const Rest reached = awaitRest(scene, body, rest, def.stepping);
+    return {reached.reached, reached.finite, reached.after, std::abs(reached.wetFraction - def.ratio) / share,
+            upInBody(body, scene.water())};
+}
+
+double cubeTiltError(double ratio, const Vec3& upInCube) {
+    const double tilt = std::acos(std::min(1.0, upInCube.cwiseAbs().maxCoeff()));
+    double nearest = pi;
+    for (const CubeOrientation& stable : stableCubeOrientations(ratio))
+        nearest = std::min(nearest, stable.tilt < 0 ? 0 : std::abs(tilt - stable.tilt));
+    return nearest;
+}
+
+double wetErrorLimit(const DropDef& def, double distance) {
+    const double rounding = bulletRounding * std::max(largestLength(def), distance);
+    return 1e-3 + 2 * rounding / (smallerShare(def.ratio) * largestLength(def));
+}
+
+double terminalVelocityError(const DropDef& def, double linearDrag) {
+    FloatScene scene(def.scene);
+    BodyDef drag;
+    drag.linearDrag = linearDrag;
+    btRigidBody& body = release(scene, def, drag);
+    scene.run(std::max(30 / linearDrag, 20 * def.stepping.dt), def.stepping.dt, def.stepping.substeps);
+    const double expected = (1 / def.ratio - 1) * def.scene.gravity / linearDrag;
+    const double reached = toEigen(scene.report(body).velocity).dot(scene.water().frame().upWorld());
+    return std::abs(reached - expected) / std::abs(expected);
+}
+
+}  // namespace bullet_buoyancy::scenes

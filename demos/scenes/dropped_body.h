@@ -1,0 +1,57 @@
+#pragma once
+
+#include "scenes/observe.h"
+#include "scenes/solids.h"
+
+namespace bullet_buoyancy::scenes {
+
+/// A body on its own, as it is let go.
+struct DropDef {
+    Solid solid = Solid::box;
+    Vec3 size = Vec3::Ones();  ///< m
+    double ratio = 0.5;        ///< density over the water's
+    double height = 2;         ///< of the centre above the water, m
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+    double downwardSpeed = 0;  ///< m/s
+    SceneDef scene;
+    Stepping stepping;
+};
+
+/// A turn out of all symmetry.
+Eigen::Quaterniond askew();
+
+/// A body that falls without friction may at no time have more energy than it was let go with, nor be higher
+/// than that energy allows.
+struct FallResult {
+    double rise;        ///< greatest height over the allowed one, which is energy / (m g)
+    double energyGain;  ///< most energy less that at release, over the latter (zero lies at the water)
+    bool finite;
+};
+FallResult fallUndamped(const DropDef& def, double seconds);
+
+/// How a body floats once it has come to rest. The lengths by which its wet share and its freeboard can
+/// differ are small where its ratio is near 0 or 1: `wetError` is over the smaller of ratio and 1 - ratio.
+struct SettleResult {
+    bool atRest;
+    bool finite;
+    double after;     ///< s
+    double wetError;  ///< |wet fraction - ratio| / min(ratio, 1 - ratio)
+    Vec3 up;          ///< the water's, in the body's axes
+};
+
+/// `drag` and damping default to BodyDef's.
+SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag = {});
+
+/// Smallest angle (radians) between how a cube floats and an orientation stable at its ratio; 0 where none is
+/// known in closed form.
+double cubeTiltError(double ratio, const Vec3& upInCube);
+
+/// What `SettleResult::wetError` may be: a thousandth, and Bullet's rounding of a position of the body's size
+/// or `distance` (m) from the world's origin.
+double wetErrorLimit(const DropDef& def, double distance = 0);
+
+/// A body wholly under water that rises or sinks as fast as linear drag lets it: |v - (1/ratio - 1) g / rate|
+/// over the latter, once it has had the time.
+double terminalVelocityError(const DropDef& def, double linearDrag);
+
+}  // namespace bullet_buoyancy::scenes

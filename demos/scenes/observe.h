@@ -1,0 +1,51 @@
+#pragma once
+
+#include "scenes/float_scene.h"
+#include "scenes/floating_log.h"
+
+namespace bullet_buoyancy::scenes {
+
+/// Rounding of one of Bullet's numbers, as a share of it.
+inline constexpr double bulletRounding = sizeof(btScalar) == 4 ? 6e-8 : 1.1e-16;
+
+/// Pose, velocities and reported energy are numbers.
+bool isFinite(const FloatScene& scene, const btRigidBody& body);
+
+/// The energy of a body that is yet to be stepped, from its pose and Bullet's velocities: kinetic,
+/// gravitational and the water's, J.
+double energyAtRelease(const FloatScene& scene, const btRigidBody& body, const Hull& hull);
+
+/// Extremes of a body's motion.
+struct Flight {
+    double highest;     ///< position of the centre above the water, m
+    double mostEnergy;  ///< as reported, J
+    bool finite;
+};
+
+/// Steps the scene for `seconds`, or until the body has risen above `ceiling` (m), from where it falls as it
+/// came.
+Flight observeFlight(FloatScene& scene, const btRigidBody& body, double seconds, double ceiling,
+                     const Stepping& stepping);
+
+struct RestDef {
+    double speed;  ///< sqrt(2 kinetic energy / mass), m/s
+    double hold;   ///< for so long, s
+    double limit;  ///< simulated at most, s
+    long maxSteps = 1000000;
+};
+
+struct Rest {
+    bool reached;
+    bool finite;
+    double after;        ///< simulated seconds until then, or till the end
+    double wetFraction;  ///< mean over the time of rest, so that what is left of a swing does not matter
+};
+
+/// Steps the scene until the body is slow for the given time.
+Rest awaitRest(FloatScene& scene, const btRigidBody& body, const RestDef& def, const Stepping& stepping);
+
+/// Speed of the fastest body of a scene, rotation included (sqrt(2 kinetic energy / mass), m/s); infinite if
+/// one of them is not finite.
+double fastestSpeed(const FloatScene& scene, const std::vector<btRigidBody*>& bodies);
+
+}  // namespace bullet_buoyancy::scenes
