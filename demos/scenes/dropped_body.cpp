@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "scenes/known_answers.h"
@@ -10,7 +11,7 @@ namespace bullet_buoyancy::scenes {
 
 namespace {
 
-btRigidBody& release(FloatScene& scene, const DropDef& def, BodyDef drag) {
+btRigidBody& release(FloatScene& scene, const DropDef& def, const BodyDef& drag) {
     const Vec3 up = scene.water().frame().upWorld();
     const Pose pose{scene.water().frame().originWorld() + def.height * up,
                     Eigen::Quaterniond(scene.water().frame().worldFromFrame()) * def.orientation};
@@ -58,10 +59,12 @@ SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag
     btRigidBody& body = release(scene, def, drag);
     const double share = smallerShare(def.ratio), length = share * largestLength(def);
     RestDef rest{};
-    // A swing of that speed is about 3e-4 of the draft or freeboard. Bullet's rounding of the position keeps
-    // a body moving: by gravity for a step, times what the rounding is of the draft.
-    const double rounding = bulletRounding / share * def.scene.gravity * def.stepping.dt;
-    rest.speed = 3e-4 * std::sqrt(def.scene.gravity * length) + 4 * rounding;
+    // Slower than this it swings by 3e-4 of its draft or freeboard, or creeps at most so far from it, carried
+    // by drag. Bullet's rounding of the position keeps it moving, by what gravity does to it in a step.
+    const double creep = drag.linearDrag > 0 ? share * def.scene.gravity / drag.linearDrag
+                                             : std::numeric_limits<double>::infinity();
+    const double rounding = bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt;
+    rest.speed = 3e-4 * std::min(std::sqrt(def.scene.gravity * length), creep) + 4 * rounding;
     rest.hold = std::max(5.0, 4 * pi * std::sqrt(largestLength(def) / def.scene.gravity));
     rest.limit = limitSeconds;
     const Rest reached = awaitRest(scene, body, rest, def.stepping);

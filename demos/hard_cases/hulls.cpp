@@ -1,0 +1,7 @@
+#include "hard_cases/hard_case.h"
+
+namespace bullet_buoyancy::demo {
+
+void addHulls(std::vector<HardCase>&) {}
+
+}  // namespace bullet_buoyancy::demo
