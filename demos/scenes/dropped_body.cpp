@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "scenes/known_answers.h"
@@ -37,6 +36,22 @@ double largestLength(const DropDef& def) {
     return def.size.maxCoeff();
 }
 
+/// At which a body swings by about all of its draft or freeboard, or creeps there against drag, m/s.
+double swingSpeed(const DropDef& def, const BodyDef& drag) {
+    const double share = smallerShare(def.ratio), gravity = def.scene.gravity;
+    const double swing = std::sqrt(gravity * share * largestLength(def));
+    return drag.linearDrag > 0 ? std::min(swing, share * gravity / drag.linearDrag) : swing;
+}
+
+/// Bullet's rounding of the pose keeps a body moving, by what the water then does to it in a step, as a
+/// random walk over the time in which damping forgets, m/s.
+double roundingSpeed(const DropDef& def, const BodyDef& drag) {
+    const double wet = drag.scaleByWetFraction ? std::min(1.0, def.ratio) : 1;
+    const double forgotten = std::min(1.0, drag.angularDamping * wet * def.stepping.dt);
+    const double far = bulletRounding * def.scene.frame.originWorld().norm() / def.stepping.dt;
+    return far + bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt / std::sqrt(forgotten);
+}
+
 }  // namespace
 
 Eigen::Quaterniond askew() {
@@ -50,24 +65,20 @@ FallResult fallUndamped(const DropDef& def, double seconds) {
     const double start = energyAtRelease(scene, body, *drag.hull);
     const double allowed = start * double(body.getInvMass()) / def.scene.gravity;
     constexpr double flownOff = 1e3;
-    const Flight flight = observeFlight(scene, body, seconds, flownOff * allowed, def.stepping);
+    const Flight flight =
+        observeFlight(scene, body, seconds, flownOff * allowed, StepLengths(def.stepping, def.shortestStep));
     return {flight.highest / allowed, (flight.mostEnergy - start) / start, flight.finite};
 }
 
 SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag) {
     FloatScene scene(def.scene);
     btRigidBody& body = release(scene, def, drag);
-    const double share = smallerShare(def.ratio), length = share * largestLength(def);
+    const double share = smallerShare(def.ratio);
     RestDef rest{};
-    // Slower than this it swings by 3e-4 of its draft or freeboard, or creeps at most so far from it, carried
-    // by drag. Bullet's rounding of the position keeps it moving, by what gravity does to it in a step.
-    const double creep = drag.linearDrag > 0 ? share * def.scene.gravity / drag.linearDrag
-                                             : std::numeric_limits<double>::infinity();
-    const double rounding = bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt;
-    rest.speed = 3e-4 * std::min(std::sqrt(def.scene.gravity * length), creep) + 4 * rounding;
+    rest.speed = 3e-4 * swingSpeed(def, drag) + 4 * roundingSpeed(def, drag);
     rest.hold = std::max(5.0, 4 * pi * std::sqrt(largestLength(def) / def.scene.gravity));
     rest.limit = limitSeconds;
-    const Rest reached = awaitRest(scene, body, rest, def.stepping);
+    const Rest reached = awaitRest(scene, body, rest, StepLengths(def.stepping, def.shortestStep));
     return {reached.reached, reached.finite, reached.after, std::abs(reached.wetFraction - def.ratio) / share,
             upInBody(body, scene.water())};
 }
@@ -80,9 +91,16 @@ double cubeTiltError(double ratio, const Vec3& upInCube) {
     return nearest;
 }
 
-double wetErrorLimit(const DropDef& def, double distance) {
-    const double rounding = bulletRounding * std::max(largestLength(def), distance);
-    return 1e-3 + 2 * rounding / (smallerShare(def.ratio) * largestLength(def));
+double positionRounding(const DropDef& def) {
+    return bulletRounding * std::max(largestLength(def), def.scene.frame.originWorld().norm());
+}
+
+double wetErrorLimit(const DropDef& def, const BodyDef& drag) {
+    const double rounding = positionRounding(def);
+    const double slowest = rounding / def.stepping.dt;  // m/s
+    const double share = smallerShare(def.ratio);
+    return 1e-3 + 2 * rounding / (share * largestLength(def)) +
+           slowest * drag.linearDrag * def.ratio / (share * def.scene.gravity);
 }
 
 double terminalVelocityError(const DropDef& def, double linearDrag) {

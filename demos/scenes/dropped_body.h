@@ -15,6 +15,7 @@ struct DropDef {
     double downwardSpeed = 0;  ///< m/s
     SceneDef scene;
     Stepping stepping;
+    double shortestStep = 0;  ///< s; see `StepLengths`
 };
 
 /// A turn out of all symmetry.
@@ -46,9 +47,12 @@ SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag
 /// known in closed form.
 double cubeTiltError(double ratio, const Vec3& upInCube);
 
-/// What `SettleResult::wetError` may be: a thousandth, and Bullet's rounding of a position of the body's size
-/// or `distance` (m) from the world's origin.
-double wetErrorLimit(const DropDef& def, double distance = 0);
+/// What `SettleResult::wetError` may be: a thousandth, and Bullet's rounding of the position: by itself, and
+/// because a body that is to move by less than that in a step does not move.
+double wetErrorLimit(const DropDef& def, const BodyDef& drag = {});
+
+/// Bullet's rounding of the body's position, as far as it is from the world's origin, m.
+double positionRounding(const DropDef& def);
 
 /// A body wholly under water that rises or sinks as fast as linear drag lets it: |v - (1/ratio - 1) g / rate|
 /// over the latter, once it has had the time.

@@ -35,12 +35,12 @@ double energyAtRelease(const FloatScene& scene, const btRigidBody& body, const H
 }
 
 Flight observeFlight(FloatScene& scene, const btRigidBody& body, double seconds, double ceiling,
-                     const Stepping& stepping) {
+                     StepLengths steps) {
     constexpr double lowest = std::numeric_limits<double>::lowest();
     Flight flight{lowest, lowest, true};
     const double end = scene.time() + seconds;
     while (scene.time() < end && flight.finite && flight.highest <= ceiling) {
-        scene.step(stepping.dt, stepping.substeps);
+        steps.step(scene);
         flight.finite = isFinite(scene, body);
         if (!flight.finite) break;
         flight.highest = std::max(flight.highest, heightAboveWater(body, scene.water()));
@@ -49,13 +49,13 @@ Flight observeFlight(FloatScene& scene, const btRigidBody& body, double seconds,
     return flight;
 }
 
-Rest awaitRest(FloatScene& scene, const btRigidBody& body, const RestDef& def, const Stepping& stepping) {
+Rest awaitRest(FloatScene& scene, const btRigidBody& body, const RestDef& def, StepLengths steps) {
     Rest rest{false, true, 0, 0};
     const double start = scene.time();
     double restingSince = start, wetSum = 0;
     long restingSteps = 0;
     for (long i = 0; i < def.maxSteps && scene.time() - start < def.limit && !rest.reached; ++i) {
-        scene.step(stepping.dt, stepping.substeps);
+        steps.step(scene);
         rest.finite = isFinite(scene, body);
         if (!rest.finite) break;
         if (speedOf(scene, body) > def.speed) {
@@ -73,12 +73,23 @@ Rest awaitRest(FloatScene& scene, const btRigidBody& body, const RestDef& def, c
     return rest;
 }
 
-double fastestSpeed(const FloatScene& scene, const std::vector<btRigidBody*>& bodies) {
-    double fastest = 0;
+double stepAndClock(FloatScene& scene, const std::vector<btRigidBody*>& bodies, const Stepping& stepping) {
+    std::vector<Pose> before;
     for (const btRigidBody* body : bodies)
-        fastest = isFinite(scene, *body) ? std::max(fastest, speedOf(scene, *body))
-                                         : std::numeric_limits<double>::infinity();
-    return fastest;
+        before.push_back(poseOf(*body));
+    scene.step(stepping.dt, stepping.substeps);
+    double farthest = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!isFinite(scene, *bodies[i])) return std::numeric_limits<double>::infinity();
+        const Pose now = poseOf(*bodies[i]);
+        btVector3 centre;
+        btScalar radius = 0;
+        bodies[i]->getCollisionShape()->getBoundingSphere(centre, radius);
+        farthest =
+            std::max(farthest, (now.position - before[i].position).norm() +
+                                   double(radius) * now.orientation.angularDistance(before[i].orientation));
+    }
+    return farthest / stepping.dt;
 }
 
 }  // namespace bullet_buoyancy::scenes

@@ -2,6 +2,7 @@
 
 #include "scenes/float_scene.h"
 #include "scenes/floating_log.h"
+#include "scenes/random_numbers.h"
 
 namespace bullet_buoyancy::scenes {
 
@@ -15,6 +16,24 @@ bool isFinite(const FloatScene& scene, const btRigidBody& body);
 /// gravitational and the water's, J.
 double energyAtRelease(const FloatScene& scene, const btRigidBody& body, const Hull& hull);
 
+/// How long each of a scene's steps lasts.
+class StepLengths {
+public:
+    /// `shortest` above 0: each as long as chance will have it between that and `stepping.dt` (s), the same
+    /// in each run.
+    explicit StepLengths(const Stepping& stepping, double shortest = 0)
+        : m_stepping(stepping), m_shortest(shortest > 0 ? shortest : stepping.dt) {}
+
+    void step(FloatScene& scene) {
+        scene.step(m_random.uniform(m_shortest, m_stepping.dt), m_stepping.substeps);
+    }
+
+private:
+    Stepping m_stepping;
+    double m_shortest;
+    RandomNumbers m_random{1};
+};
+
 /// Extremes of a body's motion.
 struct Flight {
     double highest;     ///< position of the centre above the water, m
@@ -25,7 +44,7 @@ struct Flight {
 /// Steps the scene for `seconds`, or until the body has risen above `ceiling` (m), from where it falls as it
 /// came.
 Flight observeFlight(FloatScene& scene, const btRigidBody& body, double seconds, double ceiling,
-                     const Stepping& stepping);
+                     StepLengths steps);
 
 struct RestDef {
     double speed;  ///< sqrt(2 kinetic energy / mass), m/s
@@ -42,10 +61,11 @@ struct Rest {
 };
 
 /// Steps the scene until the body is slow for the given time.
-Rest awaitRest(FloatScene& scene, const btRigidBody& body, const RestDef& def, const Stepping& stepping);
+Rest awaitRest(FloatScene& scene, const btRigidBody& body, const RestDef& def, StepLengths steps);
 
-/// Speed of the fastest body of a scene, rotation included (sqrt(2 kinetic energy / mass), m/s); infinite if
-/// one of them is not finite.
-double fastestSpeed(const FloatScene& scene, const std::vector<btRigidBody*>& bodies);
+/// One step, and how fast the fastest of the bodies has moved in it, as their poses show it: what contacts
+/// and joints take from a velocity is not in it. Of the surface, by translation and turn, m/s; infinite if a
+/// body is not finite.
+double stepAndClock(FloatScene& scene, const std::vector<btRigidBody*>& bodies, const Stepping& stepping);
 
 }  // namespace bullet_buoyancy::scenes
