@@ -50,7 +50,7 @@ void printRow(const std::string& name, const Summary& row) {
         return row.cases == 1 ? std::string("FAIL")
                               : "FAIL " + std::to_string(failures) + "/" + std::to_string(row.cases);
     };
-    std::printf("%-38s %-26s %10.4g %-10s %10.4g %-10s %9.4g %s\n", name.c_str(), row.ours.what.c_str(),
+    std::printf("%-44s %-26s %10.4g %-10s %10.4g %-10s %9.4g %s\n", name.c_str(), row.ours.what.c_str(),
                 row.peers.value, verdict(row.peersFail).c_str(), row.ours.value,
                 verdict(row.oursFail).c_str(), row.ours.limit, row.ours.unit.c_str());
 }
@@ -68,7 +68,7 @@ std::vector<Score> runBothWays(const HardCase& hardCase) {
 }
 
 void printHeader() {
-    std::printf("%-38s %-26s %10s %-10s %10s %-10s %9s\n", "case", "quantity", "peers' way", "", "ours", "",
+    std::printf("%-44s %-26s %10s %-10s %10s %-10s %9s\n", "case", "quantity", "peers' way", "", "ours", "",
                 "limit");
 }
 
