@@ -83,8 +83,12 @@ SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag
             upInBody(body, scene.water())};
 }
 
+double tiltOfFace(const Vec3& upInCube) {
+    return std::acos(std::min(1.0, upInCube.cwiseAbs().maxCoeff()));
+}
+
 double cubeTiltError(double ratio, const Vec3& upInCube) {
-    const double tilt = std::acos(std::min(1.0, upInCube.cwiseAbs().maxCoeff()));
+    const double tilt = tiltOfFace(upInCube);
     double nearest = pi;
     for (const CubeOrientation& stable : stableCubeOrientations(ratio))
         nearest = std::min(nearest, stable.tilt < 0 ? 0 : std::abs(tilt - stable.tilt));

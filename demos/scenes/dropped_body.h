@@ -43,6 +43,9 @@ struct SettleResult {
 /// `drag` and damping default to BodyDef's.
 SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag = {});
 
+/// Angle between the vertical and the axis of a cube that is nearest to it, radians.
+double tiltOfFace(const Vec3& upInCube);
+
 /// Smallest angle (radians) between how a cube floats and an orientation stable at its ratio; 0 where none is
 /// known in closed form.
 double cubeTiltError(double ratio, const Vec3& upInCube);
