@@ -22,7 +22,8 @@ std::vector<Quantity> undamped(const DropDef& def, double seconds) {
     const FallResult fall = fallUndamped(def, seconds);
     return {mustBe("finite", fall.finite),
             {"undamped: rises to", "allowed", fall.rise, riseLimit},
-            {"undamped: energy gained", "released", fall.energyGain, energyLimit}};
+            {"undamped: energy gained", "released", fall.energyGain, energyLimit},
+            {"undamped: most motion", "allowed", fall.motion, riseLimit}};
 }
 
 /// Light bodies are wet so briefly that with drag by their wet share they would take hours to settle.

@@ -18,11 +18,15 @@ std::vector<Quantity> far(const DropDef& def) {
     constexpr double seconds = 20;
     const double rounding = positionRounding(def) / def.height;
     const double chance = 2 * rounding * std::sqrt(seconds / def.stepping.dt);
+    // What a rounding of all three coordinates in a step is of the fastest velocity.
+    const double fastest = std::sqrt(2 * def.scene.gravity * def.height);
+    const double jump = std::sqrt(3.0) * positionRounding(def) / def.stepping.dt / fastest;
     const FallResult fall = fallUndamped(def, seconds);
     const SettleResult rest = settle(def, 600);
     return {mustBe("finite", fall.finite && rest.finite),
             {"undamped: rises to", "allowed", fall.rise, 1.001 + chance + rounding},
             {"undamped: energy gained", "released", fall.energyGain, 1e-3 + chance},
+            {"undamped: most motion", "allowed", fall.motion, 1.001 + chance + 2 * jump + jump * jump},
             mustBe("at rest in the end", rest.atRest),
             {"settled: wet share off", "draft", rest.wetError, wetErrorLimit(def, BodyDef{})}};
 }
@@ -79,6 +83,7 @@ void addUnevenSteps(std::vector<HardCase>& cases) {
                                  mustBe("finite", fall.finite && rest.finite),
                                  {"undamped: rises to", "allowed", fall.rise, 1.001},
                                  {"undamped: energy gained", "released", fall.energyGain, 1e-3},
+                                 {"undamped: most motion", "allowed", fall.motion, 1.001},
                                  mustBe("at rest in the end", rest.atRest),
                                  {"settled: wet share off", "draft", rest.wetError, wetErrorLimit(def)}};
                          }});

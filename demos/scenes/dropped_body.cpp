@@ -10,6 +10,18 @@ namespace bullet_buoyancy::scenes {
 
 namespace {
 
+double largestLength(const DropDef& def) {
+    return def.size.maxCoeff();
+}
+
+}  // namespace
+
+double positionRounding(const DropDef& def) {
+    return bulletRounding * std::max(largestLength(def), def.scene.frame.originWorld().norm());
+}
+
+namespace {
+
 btRigidBody& release(FloatScene& scene, const DropDef& def, const BodyDef& drag) {
     const Vec3 up = scene.water().frame().upWorld();
     const Pose pose{scene.water().frame().originWorld() + def.height * up,
@@ -32,10 +44,6 @@ double smallerShare(double ratio) {
     return std::min(ratio, std::abs(1 - ratio));
 }
 
-double largestLength(const DropDef& def) {
-    return def.size.maxCoeff();
-}
-
 /// At which a body swings by about all of its draft or freeboard, or creeps there against drag, m/s.
 double swingSpeed(const DropDef& def, const BodyDef& drag) {
     const double share = smallerShare(def.ratio), gravity = def.scene.gravity;
@@ -43,13 +51,17 @@ double swingSpeed(const DropDef& def, const BodyDef& drag) {
     return drag.linearDrag > 0 ? std::min(swing, share * gravity / drag.linearDrag) : swing;
 }
 
+/// A body that is to move by less than the rounding in a step stands still, at any velocity up to this, m/s.
+double slowestSpeed(const DropDef& def) {
+    return positionRounding(def) / def.stepping.dt;
+}
+
 /// Bullet's rounding of the pose keeps a body moving, by what the water then does to it in a step, as a
 /// random walk over the time in which damping forgets, m/s.
 double roundingSpeed(const DropDef& def, const BodyDef& drag) {
     const double wet = drag.scaleByWetFraction ? std::min(1.0, def.ratio) : 1;
     const double forgotten = std::min(1.0, drag.angularDamping * wet * def.stepping.dt);
-    const double far = bulletRounding * def.scene.frame.originWorld().norm() / def.stepping.dt;
-    return far + bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt / std::sqrt(forgotten);
+    return bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt / std::sqrt(forgotten);
 }
 
 }  // namespace
@@ -62,12 +74,15 @@ FallResult fallUndamped(const DropDef& def, double seconds) {
     FloatScene scene(def.scene);
     const BodyDef drag = frictionless(*makeShape(def.solid, def.size));
     btRigidBody& body = release(scene, def, drag);
+    const double mass = 1 / double(body.getInvMass());
     const double start = energyAtRelease(scene, body, *drag.hull);
-    const double allowed = start * double(body.getInvMass()) / def.scene.gravity;
+    const double allowed = start / (mass * def.scene.gravity);
+    const double speed = std::sqrt(2 * start / mass) + def.scene.gravity * def.stepping.dt;
     constexpr double flownOff = 1e3;
     const Flight flight =
         observeFlight(scene, body, seconds, flownOff * allowed, StepLengths(def.stepping, def.shortestStep));
-    return {flight.highest / allowed, (flight.mostEnergy - start) / start, flight.finite};
+    return {flight.highest / allowed, (flight.mostEnergy - start) / start,
+            flight.mostMotion / (mass * speed * speed / 2), flight.finite};
 }
 
 SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag) {
@@ -75,7 +90,7 @@ SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag
     btRigidBody& body = release(scene, def, drag);
     const double share = smallerShare(def.ratio);
     RestDef rest{};
-    rest.speed = 3e-4 * swingSpeed(def, drag) + 4 * roundingSpeed(def, drag);
+    rest.speed = 3e-4 * swingSpeed(def, drag) + 4 * roundingSpeed(def, drag) + slowestSpeed(def);
     rest.hold = std::max(5.0, 4 * pi * std::sqrt(largestLength(def) / def.scene.gravity));
     rest.limit = limitSeconds;
     const Rest reached = awaitRest(scene, body, rest, StepLengths(def.stepping, def.shortestStep));
@@ -95,16 +110,11 @@ double cubeTiltError(double ratio, const Vec3& upInCube) {
     return nearest;
 }
 
-double positionRounding(const DropDef& def) {
-    return bulletRounding * std::max(largestLength(def), def.scene.frame.originWorld().norm());
-}
-
 double wetErrorLimit(const DropDef& def, const BodyDef& drag) {
     const double rounding = positionRounding(def);
-    const double slowest = rounding / def.stepping.dt;  // m/s
     const double share = smallerShare(def.ratio);
     return 1e-3 + 2 * rounding / (share * largestLength(def)) +
-           slowest * drag.linearDrag * def.ratio / (share * def.scene.gravity);
+           slowestSpeed(def) * drag.linearDrag * def.ratio / (share * def.scene.gravity);
 }
 
 double terminalVelocityError(const DropDef& def, double linearDrag) {

@@ -24,8 +24,12 @@ Eigen::Quaterniond askew();
 /// A body that falls without friction may at no time have more energy than it was let go with, nor be higher
 /// than that energy allows.
 struct FallResult {
-    double rise;        ///< greatest height over the allowed one, which is energy / (m g)
-    double energyGain;  ///< most energy less that at release, over the latter (zero lies at the water)
+    double rise;  ///< greatest height over the allowed one, which is energy / (m g)
+    double
+        energyGain;  ///< most energy reported less that at release, over the latter (0 J lies at the water)
+    double
+        motion;  ///< most kinetic energy that the poses of a step show, over what the speed makes to which
+                 ///< all energy at release and a step of gravity, which Bullet gives in whole, can bring it
     bool finite;
 };
 FallResult fallUndamped(const DropDef& def, double seconds);

@@ -10,6 +10,15 @@ namespace bullet_buoyancy::scenes {
 
 namespace {
 
+/// Of a body that got from one pose to another in `dt` (s), steadily.
+double kineticEnergyBetween(const btRigidBody& body, const Pose& before, const Pose& after, double dt) {
+    const Eigen::AngleAxisd turn(before.orientation.conjugate() * after.orientation);
+    const Vec3 spinInBody = turn.axis() * (turn.angle() / dt),
+               velocity = (after.position - before.position) / dt;
+    return velocity.squaredNorm() / double(body.getInvMass()) / 2 +
+           toEigen(body.getLocalInertia()).cwiseProduct(spinInBody).dot(spinInBody) / 2;
+}
+
 double speedOf(const FloatScene& scene, const btRigidBody& body) {
     return std::sqrt(2 * scene.report(body).kineticEnergy * double(body.getInvMass()));
 }
@@ -37,13 +46,15 @@ double energyAtRelease(const FloatScene& scene, const btRigidBody& body, const H
 Flight observeFlight(FloatScene& scene, const btRigidBody& body, double seconds, double ceiling,
                      StepLengths steps) {
     constexpr double lowest = std::numeric_limits<double>::lowest();
-    Flight flight{lowest, lowest, true};
+    Flight flight{lowest, lowest, 0, true};
     const double end = scene.time() + seconds;
     while (scene.time() < end && flight.finite && flight.highest <= ceiling) {
-        steps.step(scene);
+        const Pose before = poseOf(body);
+        const double dt = steps.step(scene);
         flight.finite = isFinite(scene, body);
         if (!flight.finite) break;
         flight.highest = std::max(flight.highest, heightAboveWater(body, scene.water()));
+        flight.mostMotion = std::max(flight.mostMotion, kineticEnergyBetween(body, before, poseOf(body), dt));
         flight.mostEnergy = std::max(flight.mostEnergy, scene.report(body).totalEnergy());
     }
     return flight;

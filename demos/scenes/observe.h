@@ -24,8 +24,11 @@ public:
     explicit StepLengths(const Stepping& stepping, double shortest = 0)
         : m_stepping(stepping), m_shortest(shortest > 0 ? shortest : stepping.dt) {}
 
-    void step(FloatScene& scene) {
-        scene.step(m_random.uniform(m_shortest, m_stepping.dt), m_stepping.substeps);
+    /// Returns how long the step was, s.
+    double step(FloatScene& scene) {
+        const double dt = m_random.uniform(m_shortest, m_stepping.dt);
+        scene.step(dt, m_stepping.substeps);
+        return dt;
     }
 
 private:
@@ -38,6 +41,7 @@ private:
 struct Flight {
     double highest;     ///< position of the centre above the water, m
     double mostEnergy;  ///< as reported, J
+    double mostMotion;  ///< kinetic energy of a step's mean velocity and spin, as its poses show them, J
     bool finite;
 };
 

@@ -27,6 +27,7 @@ void expectNoRise(const DropDef& def, double seconds) {
     EXPECT_TRUE(fall.finite);
     EXPECT_LE(fall.rise, riseLimit);
     EXPECT_LE(fall.energyGain, energyLimit);
+    EXPECT_LE(fall.motion, riseLimit);
 }
 
 void expectRest(const DropDef& def) {
