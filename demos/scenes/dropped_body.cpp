@@ -48,7 +48,7 @@ double smallerShare(double ratio) {
 double swingSpeed(const DropDef& def, const BodyDef& drag) {
     const double share = smallerShare(def.ratio), gravity = def.scene.gravity;
     const double swing = std::sqrt(gravity * share * largestLength(def));
-    return drag.linearDrag > 0 ? std::min(swing, share * gravity / drag.linearDrag) : swing;
+    return drag.linearDrag > 0 ? std::min(swing, share / def.ratio * gravity / drag.linearDrag) : swing;
 }
 
 /// A body that is to move by less than the rounding in a step stands still, at any velocity up to this, m/s.
