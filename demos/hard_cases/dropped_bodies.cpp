@@ -43,8 +43,9 @@ double tiltError(const DropDef& def, const SettleResult& rest) {
 std::vector<Quantity> settled(const DropDef& def) {
     constexpr double limitSeconds = 6000;
     const SettleResult rest = settle(def, limitSeconds, dragFor(def.ratio));
-    std::vector<Quantity> quantities{mustBe("at rest in the end", rest.atRest && rest.finite),
-                                     {"settled: wet share off", "draft", rest.wetError, wetErrorLimit(def)}};
+    std::vector<Quantity> quantities{
+        mustBe("at rest in the end", rest.atRest && rest.finite),
+        {"settled: wet share off", "draft", rest.wetError, wetErrorLimit(def, dragFor(def.ratio))}};
     if (def.solid == Solid::box && def.size.minCoeff() == def.size.maxCoeff())
         quantities.push_back({"settled: tilt off", "rad", tiltError(def, rest), tiltLimit});
     return quantities;

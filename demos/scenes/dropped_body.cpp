@@ -57,11 +57,14 @@ double slowestSpeed(const DropDef& def) {
 }
 
 /// Bullet's rounding of the pose keeps a body moving, by what the water then does to it in a step, as a
-/// random walk over the time in which damping forgets, m/s.
+/// random walk over the time in which damping forgets, m/s. Where it is light, the turn counts most: with all
+/// that goes into one, some fifteen times the rounding of a number.
 double roundingSpeed(const DropDef& def, const BodyDef& drag) {
+    constexpr double turns = 20;
     const double wet = drag.scaleByWetFraction ? std::min(1.0, def.ratio) : 1;
     const double forgotten = std::min(1.0, drag.angularDamping * wet * def.stepping.dt);
-    return bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt / std::sqrt(forgotten);
+    const double kick = turns * bulletRounding / def.ratio * def.scene.gravity * def.stepping.dt;
+    return kick / std::sqrt(forgotten) + slowestSpeed(def);
 }
 
 }  // namespace
@@ -90,7 +93,7 @@ SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag
     btRigidBody& body = release(scene, def, drag);
     const double share = smallerShare(def.ratio);
     RestDef rest{};
-    rest.speed = 3e-4 * swingSpeed(def, drag) + 4 * roundingSpeed(def, drag) + slowestSpeed(def);
+    rest.speed = 3e-4 * swingSpeed(def, drag) + roundingSpeed(def, drag);
     rest.hold = std::max(5.0, 4 * pi * std::sqrt(largestLength(def) / def.scene.gravity));
     rest.limit = limitSeconds;
     const Rest reached = awaitRest(scene, body, rest, StepLengths(def.stepping, def.shortestStep));
@@ -114,7 +117,7 @@ double wetErrorLimit(const DropDef& def, const BodyDef& drag) {
     const double rounding = positionRounding(def);
     const double share = smallerShare(def.ratio);
     return 1e-3 + 2 * rounding / (share * largestLength(def)) +
-           slowestSpeed(def) * drag.linearDrag * def.ratio / (share * def.scene.gravity);
+           roundingSpeed(def, drag) * drag.linearDrag * def.ratio / (share * def.scene.gravity);
 }
 
 double terminalVelocityError(const DropDef& def, double linearDrag) {

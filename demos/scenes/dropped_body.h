@@ -55,7 +55,7 @@ double tiltOfFace(const Vec3& upInCube);
 double cubeTiltError(double ratio, const Vec3& upInCube);
 
 /// What `SettleResult::wetError` may be: a thousandth, and Bullet's rounding of the position: by itself, and
-/// because a body that is to move by less than that in a step does not move.
+/// by the speed at which a body is taken for at rest, since rounding leaves it no slower.
 double wetErrorLimit(const DropDef& def, const BodyDef& drag = {});
 
 /// Bullet's rounding of the body's position, as far as it is from the world's origin, m.

@@ -36,7 +36,7 @@ void expectRest(const DropDef& def) {
     const SettleResult rest = settle(def, 3000, drag);
     EXPECT_TRUE(rest.finite);
     EXPECT_TRUE(rest.atRest);
-    EXPECT_LE(rest.wetError, wetErrorLimit(def));
+    EXPECT_LE(rest.wetError, wetErrorLimit(def, drag));
 }
 
 TEST(HardCases, ACubeOfAnyDensitySizeAndStepNeverRisesAboveItsDropAndSettles) {
