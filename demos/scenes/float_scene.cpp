@@ -8,16 +8,22 @@
 namespace bullet_buoyancy::scenes {
 
 FloatScene::FloatScene(const SceneDef& def)
-    : m_water(def.frame, {def.waterDensity, def.flowVelocityWorld}),
+    : m_floater(def.floater),
+      m_water(def.frame, {def.waterDensity, def.flowVelocityWorld}),
       m_buoyancy(m_water),
+      m_impulses(m_water),
       m_world(std::make_unique<btDiscreteDynamicsWorld>(&m_dispatcher, &m_broadphase, &m_solver,
                                                         &m_configuration)) {
     m_world->setGravity(toBullet(-def.gravity * def.frame.upWorld()));
     m_world->addAction(&m_buoyancy);
+    m_world->addAction(&m_impulses);
 }
 
 FloatScene::~FloatScene() {
+    m_world->removeAction(&m_impulses);
     m_world->removeAction(&m_buoyancy);
+    for (const auto& joint : m_joints)
+        m_world->removeConstraint(joint.get());
     for (const auto& body : m_bodies)
         m_world->removeRigidBody(body.get());
 }
@@ -44,14 +50,27 @@ btRigidBody& FloatScene::addFloatingBox(const Vec3& size, double ratio, const Po
                                         const BodyDef& def) {
     auto shape = std::make_unique<btBoxShape>(toBullet(size / 2));
     btRigidBody& body = addBody(std::move(shape), ratio * m_water.density() * size.prod(), pose);
-    const BodyStatus status = m_buoyancy.addBody(body, def);
+    const BodyStatus status = floatBody(body, def);
     assert(status.ok());
     static_cast<void>(status);
     return body;
 }
 
+BodyStatus FloatScene::floatBody(btRigidBody& body, const BodyDef& def) {
+    return m_floater == Floater::library ? m_buoyancy.addBody(body, def) : m_impulses.addBody(body, def);
+}
+
+const BodyReport& FloatScene::report(const btRigidBody& body) const {
+    return m_floater == Floater::library ? m_buoyancy.report(body) : m_impulses.report(body);
+}
+
 btRigidBody& FloatScene::addStatic(std::unique_ptr<btCollisionShape> shape, const Pose& pose) {
     return addBody(std::move(shape), 0, pose);
+}
+
+void FloatScene::addJoint(std::unique_ptr<btTypedConstraint> joint) {
+    m_world->addConstraint(joint.get(), true);
+    m_joints.push_back(std::move(joint));
 }
 
 void FloatScene::step(double dt, int substeps) {

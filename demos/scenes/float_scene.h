@@ -6,13 +6,22 @@
 #include <memory>
 #include <vector>
 
+#include "scenes/impulse_buoyancy.h"
+
 namespace bullet_buoyancy::scenes {
+
+/// Who floats the bodies of a scene.
+enum class Floater {
+    library,   ///< BuoyancyAction
+    impulses,  ///< ImpulseBuoyancy, the way of most engines
+};
 
 struct SceneDef {
     WaterFrame frame = WaterFrame::zUp();
     double waterDensity = freshWaterDensity;  ///< kg/m^3
     Vec3 flowVelocityWorld = Vec3::Zero();    ///< m/s
     double gravity = standardGravity;         ///< against the frame's up, m/s^2
+    Floater floater = Floater::library;
 };
 
 /// A Bullet world with flat water in it, and one buoyancy action for all bodies.
@@ -34,7 +43,16 @@ public:
     /// A box of given size (m) that floats. `ratio`: its density over the water's.
     btRigidBody& addFloatingBox(const Vec3& size, double ratio, const Pose& pose, const BodyDef& def = {});
 
+    /// Floats a body of the scene, by whoever the scene's floater is.
+    BodyStatus floatBody(btRigidBody& body, const BodyDef& def = {});
+
+    /// What the floater did with the body in the last substep.
+    const BodyReport& report(const btRigidBody& body) const;
+
     btRigidBody& addStatic(std::unique_ptr<btCollisionShape> shape, const Pose& pose);
+
+    /// Linked bodies do not collide with each other.
+    void addJoint(std::unique_ptr<btTypedConstraint> joint);
 
     /// `substeps` of `dt` / `substeps` each in one call of stepSimulation.
     void step(double dt, int substeps = 1);
@@ -56,8 +74,11 @@ private:
     btSequentialImpulseConstraintSolver m_solver;
     std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
     std::vector<std::unique_ptr<btRigidBody>> m_bodies;
+    std::vector<std::unique_ptr<btTypedConstraint>> m_joints;
+    Floater m_floater;
     FlatWater m_water;
     BuoyancyAction m_buoyancy;
+    ImpulseBuoyancy m_impulses;
     std::unique_ptr<btDiscreteDynamicsWorld> m_world;
     double m_time = 0;
 };

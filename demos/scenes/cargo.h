@@ -1,0 +1,22 @@
+#pragma once
+
+#include "scenes/observe.h"
+
+namespace bullet_buoyancy::scenes {
+
+/// How cargo rides after 30 s on a raft that floats freely.
+struct CargoResult {
+    double displacementError;  ///< of the raft, over what the masses together displace
+    double worstShift;         ///< of a piece along the raft's deck, over its size
+    double worstHeightError;   ///< of a piece above the raft, over its size
+    double tilt;               ///< of the raft, radians
+    bool finite;
+};
+
+/// Ten crates of 0.8 m in one stack amidships on a raft of 8 by 8 by 1 m.
+CargoResult stackCratesOnRaft(Floater floater, const Stepping& stepping = {});
+
+/// A crate of 300 kg on an inflatable raft of 30 kg, 3 by 1.5 by 0.4 m.
+CargoResult loadInflatableRaft(Floater floater, const Stepping& stepping = {});
+
+}  // namespace bullet_buoyancy::scenes
