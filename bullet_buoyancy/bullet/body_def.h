@@ -19,7 +19,7 @@ struct BodyDef {
     /// Drag and damping in proportion to the share of the volume that is wet; false: in full whenever wet.
     bool scaleByWetFraction = true;
 
-    Stepping stepping = Stepping::guarded;
+    StepScheme scheme = StepScheme::guarded;
 };
 
 }  // namespace bullet_buoyancy

@@ -86,6 +86,7 @@ FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
       m_knownScaling(m_knownShape ? m_knownShape->getLocalScaling() : btVector3(1, 1, 1)) {
     m_report.state = BodyState::notStepped;
     m_borrowed.borrow(body);
+    m_lastSeenVelocity = toEigen(body.getLinearVelocity());
     m_inertia.mass = 0;  // so that it has changed
     massHasChanged();
     body.activate();
@@ -99,6 +100,7 @@ void FloatingBody::giveBack() {
 void FloatingBody::skip(BodyState reason) {
     m_report.state = reason;
     m_report.evaluations = 0;
+    m_lastSeenVelocity = toEigen(m_body->getLinearVelocity());
     if (reason == BodyState::asleep) m_report.kineticEnergy = 0;
 }
 
@@ -111,12 +113,13 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     m_borrowed.borrow(*m_body);
     const WaterLoad field(water, m_def, m_inertia.mass, toEigen(m_body->getGravity()),
                           m_borrowed.linearDampingRate());
-    const StepperDef stepper{m_def.stepping, hull().bounds.centre.norm() + hull().bounds.radius,
-                             m_flexibility * water.field.density() * water.gravity};
+    StepperDef stepper{m_def.scheme, hull().bounds.centre.norm() + hull().bounds.radius, largestTurn,
+                       m_flexibility * water.field.density() * water.gravity};
     arrive(stepper, field, reweighed, dt);
     m_motion.settle(m_inertia, stepper, field, dt);
+    stepper.turnLimit -= std::min(largestTurn, m_handover.lag(m_motion.motion().pose));
     m_motion.depart(m_inertia, stepper, field, dt);
-    m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.stepping), dt);
+    m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.scheme), dt);
     writeReport(water, field, dt);
     if (m_report.wetFraction > 0) keepAwakeUnlessAtRest(water);
 }
@@ -181,18 +184,29 @@ void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, boo
 /// Bullet takes a body's first step before the action sees it, with gravity and without water. Where nothing
 /// held the body, that step is taken again, by us; Bullet's body is led to its end in the next one.
 void FloatingBody::start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt) {
-    const Vec3 weight = field.weight(), velocity = toEigen(m_body->getLinearVelocity());
-    const bool fell = velocity.dot(weight) >= dt / 2 * weight.squaredNorm() / m_inertia.mass;
     Motion before = motionBefore(dt);
-    if (!(gravity && fell)) {
+    if (!gravity || wasHeld(dt)) {
         before.moveTo(m_inertia, m_handover.pose());
         return m_motion.start(before);
     }
-    before.velocity -= dt * m_inertia.velocityChange(weight);
+    before.velocity -= dt * m_inertia.velocityChange(field.weight());
+    StepperDef cautious = stepper;
+    cautious.turnLimit = largestTurn / 2;  // so that Bullet's body can be led there
     m_motion.start(before);
-    m_motion.settle(m_inertia, stepper, field, dt);
-    m_motion.depart(m_inertia, stepper, field, dt);
+    m_motion.settle(m_inertia, cautious, field, dt);
+    m_motion.depart(m_inertia, cautious, field, dt);
     m_motion.arrive();
+}
+
+/// In Bullet's first step: it does not move as it did when last seen and gravity has it, nor fast enough that
+/// nothing can have held it against gravity.
+bool FloatingBody::wasHeld(double dt) const {
+    const Vec3 velocity = toEigen(m_body->getLinearVelocity()), gravity = toEigen(m_body->getGravity());
+    const Vec3 falling = m_lastSeenVelocity + dt * gravity.cwiseProduct(toEigen(m_body->getLinearFactor()));
+    const double fall = dt * gravity.norm();
+    constexpr double rounding = 1e-5;  // of Bullet's single precision, in full in the one and the other
+    if ((velocity - falling).norm() <= rounding * (fall + velocity.norm())) return false;
+    return std::abs(velocity.dot(gravity)) * dt < fall * fall / 2;
 }
 
 /// Bullet moved the body at the velocities it has now.

@@ -43,6 +43,7 @@ private:
     bool gravityActed() const;
     void arrive(const StepperDef& stepper, const WaterLoad& field, bool reweighed, double dt);
     void start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt);
+    bool wasHeld(double dt) const;
     Motion motionBefore(double dt) const;
     void keepAwakeUnlessAtRest(const WaterNow& water);
     void writeReport(const WaterNow& water, const WaterLoad& field, double dt);
@@ -57,6 +58,7 @@ private:
     const btCollisionShape* m_knownShape;
     btVector3 m_knownScaling;
     bool m_wokenWithoutGravity = false;
+    Vec3 m_lastSeenVelocity;  // while it was not stepped
     BodyReport m_report;
 };
 

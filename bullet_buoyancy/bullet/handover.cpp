@@ -1,5 +1,6 @@
 #include "bullet_buoyancy/bullet/handover.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,6 +32,11 @@ Vec3 gravityStep(const btRigidBody& body, double dt) {
 
 }  // namespace
 
+double Handover::lag(const Pose& ours) const {
+    const double sine = angleBetween(ours.orientation, m_pose.orientation) / 2;
+    return sine <= 32 * rounding ? 0 : 2 * std::asin(std::min(1.0, sine));
+}
+
 void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt) {
     const Pose& ours = motion.motion().pose;
     const Vec3 velocity = motion.departure().velocity + correction(ours.position, m_pose.position) / dt;
@@ -40,10 +46,11 @@ void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning
                           ? Vec3(rotationVector(motion.target().orientation * from.conjugate()) / dt)
                           : motion.departure().spin;
     body.setLinearVelocity(toBullet(velocity - gravityStep(body, dt)));
-    body.setAngularVelocity(toBullet(spin));
+    const double turn = spin.norm() * dt;  // past the limit where Bullet's pose lags behind ours
+    body.setAngularVelocity(toBullet(turn > largestTurn ? Vec3(largestTurn / turn * spin) : spin));
     m_velocity = body.getLinearVelocity();
     m_spin = body.getAngularVelocity();
-    m_givenOrientation = m_pose.orientation;
+    m_start = m_pose;
     m_target = motion.target();
     m_dt = dt;
 }
@@ -53,12 +60,13 @@ Return Handover::take(const btRigidBody& body, double dt, bool gravityActed) {
     m_disturbance.velocityChange = velocityChange(body, dt, gravityActed);
     m_disturbance.spinChange = toEigen(body.getAngularVelocity() - m_spin);
     m_disturbance.turnedByHand = false;
-    const bool pushed =
-        m_disturbance.velocityChange != Vec3::Zero() || m_disturbance.spinChange != Vec3::Zero();
-    if (!pushed && (dt != m_dt || !gravityActed)) return Return::astray;
-    if (!pushed && isAtTarget(body)) return Return::atTarget;
+    const bool pushed = !m_disturbance.velocityChange.isZero(0) || !m_disturbance.spinChange.isZero(0);
+    if (!pushed && dt == m_dt && gravityActed && isAtTarget(body)) return Return::atTarget;
+    const Vec3 displacement = m_pose.position - m_start.position;
+    const bool isMoved =
+        (displacement - dt * toEigen(body.getLinearVelocity())).norm() > positionTolerance(body);
     m_disturbance.turnedByHand = !isWhereItsSpinLeads(body, dt);
-    return Return::disturbed;
+    return pushed || isMoved || m_disturbance.turnedByHand ? Return::disturbed : Return::astray;
 }
 
 /// By others: contacts, joints, impulses, and forces that the user applies beside gravity.
@@ -74,10 +82,14 @@ Vec3 Handover::velocityChange(const btRigidBody& body, double dt, bool gravityAc
     return isRounding ? change : Vec3(change + byUser);
 }
 
-bool Handover::isAtTarget(const btRigidBody& body) const {
+/// Of Bullet's numbers in the sum of a position and a step, m.
+double Handover::positionTolerance(const btRigidBody& body) const {
     const double travel = toEigen(body.getLinearVelocity()).norm() * m_dt;
-    const double reach = m_target.position.cwiseAbs().maxCoeff() + travel + 1e-3;
-    return (m_pose.position - m_target.position).cwiseAbs().maxCoeff() <= 8 * rounding * reach &&
+    return 8 * rounding * (m_pose.position.cwiseAbs().maxCoeff() + travel + 1e-3);
+}
+
+bool Handover::isAtTarget(const btRigidBody& body) const {
+    return (m_pose.position - m_target.position).cwiseAbs().maxCoeff() <= positionTolerance(body) &&
            angleBetween(m_pose.orientation, m_target.orientation) <= 64 * rounding;
 }
 
@@ -89,7 +101,7 @@ bool Handover::isWhereItsSpinLeads(const btRigidBody& body, double dt) const {
         return true;  // Bullet's own shortening of the turn is not told from a hand's
     const Eigen::Quaterniond turn = rate > 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(rate * dt, spin / rate))
                                              : Eigen::Quaterniond::Identity();
-    return angleBetween(turn * m_givenOrientation, m_pose.orientation) <= tolerance;
+    return angleBetween(turn * m_start.orientation, m_pose.orientation) <= tolerance;
 }
 
 }  // namespace bullet_buoyancy

@@ -9,8 +9,8 @@ namespace bullet_buoyancy {
 
 /// How a body comes back from Bullet's step.
 enum class Return {
-    atTarget,   ///< to the rounding of Bullet's numbers
-    astray,     ///< Bullet took another step than the last, or left gravity out
+    atTarget,  ///< to the rounding of Bullet's numbers
+    astray,  ///< where its velocities led in a step of another length, without gravity, or with too much spin
     disturbed,  ///< others acted on it
 };
 
@@ -24,17 +24,21 @@ public:
     /// After Bullet's step of `dt` (s). `gravityActed`: Bullet leaves it out after a body has been woken.
     Return take(const btRigidBody& body, double dt, bool gravityActed);
 
+    /// The angle by which Bullet's body has yet to be turned to reach a pose of ours, rad.
+    double lag(const Pose& ours) const;
+
     /// In Bullet's precision.
     const Pose& pose() const { return m_pose; }
     const Disturbance& disturbance() const { return m_disturbance; }
 
 private:
     Vec3 velocityChange(const btRigidBody& body, double dt, bool gravityActed) const;
+    double positionTolerance(const btRigidBody& body) const;
     bool isAtTarget(const btRigidBody& body) const;
     bool isWhereItsSpinLeads(const btRigidBody& body, double dt) const;
 
     btVector3 m_velocity{0, 0, 0}, m_spin{0, 0, 0};  // as given
-    Eigen::Quaterniond m_givenOrientation = Eigen::Quaterniond::Identity();
+    Pose m_start;                                    // of Bullet's
     Pose m_target;
     double m_dt = 0;
     Pose m_pose;

@@ -82,7 +82,8 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     m_kick = Kick(m_load, dt);
     if (!m_isNew) endStep(inertia);
     account(inertia);
-    if (def.stepping == Stepping::guarded) limitEnergy(m_motion, inertia, m_load, m_available);
+    if (def.scheme == StepScheme::guarded)
+        limitEnergy(m_motion, inertia, m_load, {m_available, field.up(), m_isUnresolved});
     m_energy = totalEnergy(m_motion, inertia, m_load);
 }
 
@@ -133,7 +134,7 @@ bool BodyMotion::isHeld() const {
 }
 
 bool BodyMotion::mustLookAhead(const StepperDef& def, double dt) const {
-    if (def.stepping == Stepping::published || isHeld()) return false;
+    if (def.scheme == StepScheme::published || isHeld()) return false;
     const double phase = m_disturbed ? safePhaseInTouch : safePhase;
     return def.stiffestRate2 * dt * dt > phase * phase;
 }
@@ -144,7 +145,8 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_carriedTorque.setZero();
     m_weightOfArrival = 1;
     m_flight = flyExplicitly(inertia, def, dt);
-    if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, field, dt);
+    m_isUnresolved = m_flight.departure.spin.norm() * dt > def.turnLimit;
+    if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, field, dt);
     spend(m_flight.dissipated);
     m_disturbed = false;
 }
@@ -157,36 +159,61 @@ Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, 
     Flight flight;
     flight.departure = m_motion;
     flight.dissipated = kick.apply(flight.departure, inertia, share * m_load.force, share * m_load.torque);
-    flight.arrival = fly(flight.departure, inertia, dt, turningOf(inertia, def.stepping));
+    flight.arrival = fly(flight.departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
     return flight;
 }
 
-/// Looks at where the explicit flight would end. What it strays by there is no more than a share of the
-/// energy that is in motion now, or else it is not taken.
-Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, const LoadField& field,
-                               double dt) {
+/// Looks at where the explicit flight would end. A leapfrog strays in its turning points by phase^4 / 8 of
+/// the energy of an oscillation, whose motion has come down to phase^2 / 4 of it by then. A flight that ends
+/// where energy forbids is not taken.
+Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
+                               const LoadField& field, double dt) {
     explicitFlight.load = field.at(explicitFlight.arrival.pose);
     ++m_evaluations;
-    const double phase = std::sqrt(phaseSquared(m_load, explicitFlight, inertia, dt));
-    if (phase <= explicitPhase && isWithinEnergy(explicitFlight, inertia)) return explicitFlight;
+    const double phase2 = phaseSquared(m_load, explicitFlight, inertia, dt), phase = std::sqrt(phase2);
+    const auto isAllowed = [&](const Flight& flight, double strayed) {
+        return isWithinEnergy(flight, inertia, field.up(), strayed);
+    };
+    if (phase <= explicitPhase && isAllowed(explicitFlight, phase2 / 2)) return explicitFlight;
 
+    m_isUnresolved = true;
+    FlightStart start{m_motion, m_load, Mat6::Zero(), def.turnLimit};
+    field.at(m_motion.pose, &start.stiffness);
+    ++m_evaluations;
+    constexpr double converged = 1e-3;  // what Newton's method leaves
     const double implicitness = smoothStep((phase - resolvedPhase) / (unresolvedPhase - resolvedPhase));
-    Flight flight = flyImplicitly(inertia, field, implicitness, dt);
-    if (implicitness < 1 && !isWithinEnergy(flight, inertia)) flight = flyImplicitly(inertia, field, 1, dt);
+    Flight flight = flyImplicitly(start, inertia, field, implicitness, dt);
+    if (implicitness < 1 && !isAllowed(flight, converged))
+        flight = flyImplicitly(start, inertia, field, 1, dt);
+    if (m_damps && !isAllowed(flight, 0)) flight = slideAlong(inertia, field, dt);
     return flight;
 }
 
-bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia) const {
-    constexpr double allowance = 0.1;  // of the motion's energy: at its turning points phase^2 / 8 and less
-    return flight.load.potential <= m_available + allowance * kineticEnergy(m_motion, inertia);
+/// Across `up`, without turning: the load stays as it is.
+Flight BodyMotion::slideAlong(const Inertia& inertia, const LoadField& field, double dt) {
+    Flight flight;
+    flight.departure = m_motion;
+    flight.departure.velocity -= field.up().dot(m_motion.velocity) * field.up();
+    flight.departure.setSpin(inertia, Vec3::Zero());
+    flight.arrival = fly(flight.departure, inertia, dt, Turning::atSpin);
+    flight.load = field.at(flight.arrival.pose);
+    ++m_evaluations;
+    return flight;
 }
 
-Flight BodyMotion::flyImplicitly(const Inertia& inertia, const LoadField& field, double implicitness,
-                                 double dt) {
-    FlightStart start{m_motion, m_load, Mat6::Zero()};
-    field.at(m_motion.pose, &start.stiffness);
+/// At its end, to `strayed` of the energy with which the body moves against the load; or at least not farther
+/// without than it began.
+bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up,
+                                double strayed) const {
+    const double moving = kineticEnergy(m_motion, inertia) - keptEnergy(m_motion, inertia, up);
+    const double limit = m_available - keptEnergy(flight.arrival, inertia, up) + strayed * moving;
+    return flight.load.potential <= std::max(limit, m_load.potential);
+}
+
+Flight BodyMotion::flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& field,
+                                 double implicitness, double dt) {
     const Flight flight = bullet_buoyancy::flyImplicitly(start, inertia, implicitness, dt, field);
-    m_evaluations += 1 + flight.evaluations;
+    m_evaluations += flight.evaluations;
     const KickWeights weights(implicitness);
     m_carriedForce = weights.lastOfStart * m_load.force;
     m_carriedTorque = weights.lastOfStart * m_load.torque;

@@ -7,7 +7,7 @@
 namespace bullet_buoyancy {
 
 /// How a body is stepped.
-enum class Stepping {
+enum class StepScheme {
     /// As implicit as the body needs, and no more; holds it to the energy that is there.
     guarded,
     /// One explicit impulse, and the spin of the step's start: as published, for comparison. Light and small
@@ -15,14 +15,15 @@ enum class Stepping {
     published,
 };
 
-inline Turning turningOf(const Inertia& inertia, Stepping stepping) {
-    return inertia.turnsFreely && stepping == Stepping::guarded ? Turning::byMomentum : Turning::atSpin;
+inline Turning turningOf(const Inertia& inertia, StepScheme scheme) {
+    return inertia.turnsFreely && scheme == StepScheme::guarded ? Turning::byMomentum : Turning::atSpin;
 }
 
 /// What the stepper must know of a body beside its inertia.
 struct StepperDef {
-    Stepping stepping = Stepping::guarded;
+    StepScheme scheme = StepScheme::guarded;
     double size = 1;           ///< largest distance of a wetted point from the centre of mass, m
+    double turnLimit = largestTurn;  ///< the farthest that the body can be turned in the next step, rad
     double stiffestRate2 = 0;  ///< upper estimate of the square of the body's fastest oscillation, 1/s^2
 };
 
@@ -78,9 +79,12 @@ private:
     bool isHeld() const;
     bool mustLookAhead(const StepperDef& def, double dt) const;
     Flight flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const;
-    Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const LoadField& field, double dt);
-    Flight flyImplicitly(const Inertia& inertia, const LoadField& field, double implicitness, double dt);
-    bool isWithinEnergy(const Flight& flight, const Inertia& inertia) const;
+    Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
+                       const LoadField& field, double dt);
+    Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& field,
+                         double implicitness, double dt);
+    Flight slideAlong(const Inertia& inertia, const LoadField& field, double dt);
+    bool isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed) const;
 
     Motion m_motion;
     Load m_load;
@@ -91,6 +95,7 @@ private:
     Vec3 m_carriedTorque = Vec3::Zero();
     double m_weightOfArrival = 1;  // of the load there in that kick
     bool m_damps = false;          // the flight is one that takes energy for good
+    bool m_isUnresolved = false;   // the flight takes the body farther than its motion is followed
 
     // What others did on the way.
     bool m_disturbed = true;

@@ -10,10 +10,21 @@ inline double totalEnergy(const Motion& motion, const Inertia& inertia, const Lo
     return kineticEnergy(motion, inertia) + load.potential;
 }
 
-/// Takes from a motion what it has of energy beyond `available` (J), by an impulse along the load: momentum
-/// that the load cannot change (along the water's surface, about the vertical) is kept. Where the pose itself
-/// holds more than is available, what is left of the motion along the load is stopped. Returns what was
-/// taken, J, at least 0.
-double limitEnergy(Motion& motion, const Inertia& inertia, const Load& load, double available);
+/// The part of the kinetic energy that loads along `up` cannot change, but for what the body's turning makes
+/// of it, J.
+double keptEnergy(const Motion& motion, const Inertia& inertia, const Vec3& up);
+
+struct EnergyLimit {
+    double available;  ///< J
+    Vec3 up;           ///< see LoadField
+    bool strict;       ///< take it from the spin about `up`, too
+};
+
+/// Takes from a motion what it has of energy beyond the limit: by an impulse along the load, and if that is
+/// not enough by slowing it along `up` and about the horizontal. Momentum that the load cannot change, along
+/// the surface and about the vertical, is kept, unless the limit is strict: a turn made in one large step may
+/// have raised the energy of the spin about the vertical. Where the pose itself holds more than is available,
+/// what may be stopped is stopped.
+void limitEnergy(Motion& motion, const Inertia& inertia, const Load& load, const EnergyLimit& limit);
 
 }  // namespace bullet_buoyancy

@@ -9,28 +9,29 @@ namespace bullet_buoyancy {
 
 namespace {
 
-Eigen::Quaterniond turnedAtSpin(const Eigen::Quaterniond& orientation, const Vec3& spin, double dt) {
+Eigen::Quaterniond turnedAtSpin(const Eigen::Quaterniond& orientation, const Vec3& spin, double dt,
+                                double limit) {
     const double rate = spin.norm();
     if (rate == 0) return orientation;
-    const double angle = std::clamp(rate * dt, -largestTurn, largestTurn);
+    const double angle = std::clamp(rate * dt, -limit, limit);
     return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, spin / rate)) * orientation).normalized();
 }
 
 /// Cut short in time where the turn would be too large, so that no energy is made of it.
-Eigen::Quaterniond turnedByMomentum(const Motion& motion, const Inertia& inertia, double dt) {
+Eigen::Quaterniond turnedByMomentum(const Motion& motion, const Inertia& inertia, double dt, double limit) {
     const Eigen::Quaterniond& orientation = motion.pose.orientation;
     const Vec3 momentumInBody = orientation.conjugate() * motion.momentum;
     constexpr double margin = 1 - 1e-9;
     const double expected = motion.spin.norm() * dt;
     constexpr double gentle = 0.02;  // rad: 1.2 rad/s at 60 Hz
-    if (expected < gentle)
+    if (expected < std::min(gentle, limit))
         return (orientation * turnGently(inertia.principal, momentumInBody, dt)).normalized();
-    double time = expected > margin * largestTurn ? dt * margin * largestTurn / expected : dt;
+    double time = expected > margin * limit ? dt * margin * limit / expected : dt;
     for (int attempt = 0;; ++attempt) {
         const Eigen::Quaterniond turn = turnFreely(inertia.principal, momentumInBody, time);
         const double halfAngle = std::atan2(turn.vec().norm(), std::abs(turn.w()));
-        if (2 * halfAngle <= largestTurn || attempt == 8) return (orientation * turn).normalized();
-        time *= margin * largestTurn / (2 * halfAngle);
+        if (2 * halfAngle <= limit || attempt == 8) return (orientation * turn).normalized();
+        time *= margin * limit / (2 * halfAngle);
     }
 }
 
@@ -66,11 +67,12 @@ double kineticEnergy(const Motion& motion, const Inertia& inertia) {
     return (inertia.mass * motion.velocity.squaredNorm() + motion.momentum.dot(motion.spin)) / 2;
 }
 
-Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning) {
+Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning, double turnLimit) {
     Pose end;
     end.position = motion.pose.position + dt * motion.velocity;
-    end.orientation = turning == Turning::byMomentum ? turnedByMomentum(motion, inertia, dt)
-                                                     : turnedAtSpin(motion.pose.orientation, motion.spin, dt);
+    end.orientation = turning == Turning::byMomentum
+                          ? turnedByMomentum(motion, inertia, dt, turnLimit)
+                          : turnedAtSpin(motion.pose.orientation, motion.spin, dt, turnLimit);
     Motion arrival = motion;
     arrival.moveTo(inertia, end);
     return arrival;

@@ -32,7 +32,8 @@ enum class Turning {
 };
 
 /// After `dt` (s) in which nothing acts on the body. It turns along its true path, but not farther than
-/// `largestTurn`.
-Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning);
+/// `turnLimit` (rad).
+Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning,
+           double turnLimit = largestTurn);
 
 }  // namespace bullet_buoyancy

@@ -86,8 +86,9 @@ private:
         flight.departure = m_start.motion;
         flight.departure.velocity = u.head<3>();
         flight.departure.setSpin(m_inertia, u.tail<3>());
-        flight.arrival = fly(flight.departure, m_inertia, m_dt,
-                             m_inertia.turnsFreely ? Turning::byMomentum : Turning::atSpin);
+        flight.arrival =
+            fly(flight.departure, m_inertia, m_dt,
+                m_inertia.turnsFreely ? Turning::byMomentum : Turning::atSpin, m_start.turnLimit);
         flight.load = m_field.at(flight.arrival.pose, &trial.stiffness);
         trial.potential = kineticPart(u) + flight.load.potential;
         ++m_evaluations;

@@ -30,7 +30,8 @@ struct KickWeights {
 struct FlightStart {
     Motion motion;
     Load load;
-    Mat6 stiffness;  ///< see LoadField
+    Mat6 stiffness;    ///< see LoadField
+    double turnLimit;  ///< see `fly`
 };
 
 /// The step of `dt` (s) with the load at its end: the velocity and spin u of the flight minimise the
