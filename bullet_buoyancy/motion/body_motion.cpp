@@ -17,6 +17,7 @@ constexpr double safePhase = 0.2, safePhaseInTouch = 0.5;
 /// Phases of the oscillation as it was met in the step: the leapfrog's amplitudes err by phase^2 / 8; the
 /// trapezoidal rule takes over up to six steps a period, and beyond three a period there is no motion left to
 /// keep.
+/// A body in touch gets its whole load as long as that is safe, to press with.
 constexpr double explicitPhase = 0.25, resolvedPhase = 1, unresolvedPhase = 2;
 
 double smoothStep(double x) {
@@ -125,6 +126,7 @@ void BodyMotion::account(const Inertia& inertia) {
     } else if (m_damps) {
         m_available = std::min(m_available, now);
     }
+    if (m_isNew) m_disturbed = false;
     m_isNew = m_damps = false;
 }
 
@@ -174,7 +176,8 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
     const auto isAllowed = [&](const Flight& flight, double strayed) {
         return isWithinEnergy(flight, inertia, field.up(), strayed);
     };
-    if (phase <= explicitPhase && isAllowed(explicitFlight, phase2 / 2)) return explicitFlight;
+    const double stillExplicit = m_disturbed ? resolvedPhase : explicitPhase;
+    if (phase <= stillExplicit && isAllowed(explicitFlight, phase2 / 2)) return explicitFlight;
 
     m_isUnresolved = true;
     FlightStart start{m_motion, m_load, Mat6::Zero(), def.turnLimit};

@@ -22,7 +22,7 @@ inline Turning turningOf(const Inertia& inertia, StepScheme scheme) {
 /// What the stepper must know of a body beside its inertia.
 struct StepperDef {
     StepScheme scheme = StepScheme::guarded;
-    double size = 1;           ///< largest distance of a wetted point from the centre of mass, m
+    double size = 1;                 ///< largest distance of a wetted point from the centre of mass, m
     double turnLimit = largestTurn;  ///< the farthest that the body can be turned in the next step, rad
     double stiffestRate2 = 0;  ///< upper estimate of the square of the body's fastest oscillation, 1/s^2
 };

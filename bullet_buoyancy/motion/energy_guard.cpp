@@ -68,7 +68,7 @@ void limitEnergy(Motion& motion, const Inertia& inertia, const Load& load, const
     brakeAlongLoad(motion, inertia, load, before);
     if (surplus() <= negligible) return;
     slow(motion, inertia, limit.up, limit.available - load.potential);
-    constexpr double strayed = 0.01;  // of what is in motion: no sign of a turn too large
+    constexpr double strayed = 1e-4;  // of what is in motion: no sign of a turn too large
     if (limit.strict && surplus() > strayed * kineticEnergy(motion, inertia))
         slowTurning(motion, inertia, limit.available - load.potential);
 }
