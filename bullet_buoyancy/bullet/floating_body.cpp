@@ -182,8 +182,8 @@ void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, boo
 }
 
 /// Bullet takes a body's first step before the action sees it, with gravity and without water. Where nothing
-/// held the body, that step is taken again, by us; Bullet's body is led to its end in the next one. Only on
-/// the way that it went, though: whatever lies on another, it might be led through.
+/// held the body, that step is taken again, by us; Bullet's body is led to its end in the next one, up or
+/// down. Against the way that it fell it is not led far: something may lie there.
 void FloatingBody::start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt) {
     Motion before = motionBefore(dt);
     if (!gravity || wasHeld(dt)) {
@@ -196,12 +196,13 @@ void FloatingBody::start(const StepperDef& stepper, const WaterLoad& field, bool
     m_motion.start(before);
     m_motion.settle(m_inertia, cautious, field, dt);
     m_motion.depart(m_inertia, cautious, field, dt);
-    const Vec3 fallen = m_handover.pose().position - before.pose.position;
-    const bool rises = (m_motion.target().position - before.pose.position).dot(fallen) < 0;
-    if (rises)
-        m_motion.start(before);
-    else
-        m_motion.arrive();
+
+    const Vec3 up = field.up(), start = before.pose.position, target = m_motion.target().position;
+    const Vec3 bullets = m_handover.pose().position;
+    const double fallen = up.dot(bullets - start), moved = up.dot(target - start);
+    constexpr double shortWay = 0.1;  // of the body's size
+    if (moved * fallen < 0 && std::abs(moved) > shortWay * stepper.size) return m_motion.start(before);
+    m_motion.arriveBeside(bullets + up.dot(target - bullets) * up - target);
 }
 
 /// In Bullet's first step: it does not move as it did when last seen and gravity has it, nor fast enough that

@@ -26,6 +26,12 @@ Vec3 correction(const Vec3& ours, const Vec3& bullets) {
     return difference.cwiseAbs().maxCoeff() > tolerance ? difference : Vec3::Zero();
 }
 
+/// What others took of a correction was never the body's.
+Vec3 stopped(const Vec3& correction, const Vec3& change) {
+    const double square = correction.squaredNorm(), taken = -change.dot(correction);
+    return taken > 0 ? Vec3(std::min(1.0, taken / square) * correction) : Vec3::Zero();
+}
+
 Vec3 gravityStep(const btRigidBody& body, double dt) {
     return dt * toEigen(body.getGravity()).cwiseProduct(toEigen(body.getLinearFactor()));
 }
@@ -39,7 +45,8 @@ double Handover::lag(const Pose& ours) const {
 
 void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt) {
     const Pose& ours = motion.motion().pose;
-    const Vec3 velocity = motion.departure().velocity + correction(ours.position, m_pose.position) / dt;
+    m_correction = correction(ours.position, m_pose.position) / dt;
+    const Vec3 velocity = motion.departure().velocity + m_correction;
     const bool turnedOff = angleBetween(ours.orientation, m_pose.orientation) > 4 * rounding;
     const Eigen::Quaterniond& from = turnedOff ? m_pose.orientation : ours.orientation;
     const Vec3 spin = turnedOff || turning == Turning::byMomentum
@@ -76,6 +83,7 @@ Vec3 Handover::velocityChange(const btRigidBody& body, double dt, bool gravityAc
     Vec3 change = toEigen(body.getLinearVelocity() - (m_velocity + external));
     const double scale = toEigen(m_velocity).cwiseAbs().maxCoeff() + toEigen(external).cwiseAbs().maxCoeff();
     if (change.cwiseAbs().maxCoeff() <= 4 * rounding * scale) change.setZero();
+    change += stopped(m_correction, change);
     if (!gravityActed) return change;
     const Vec3 byUser = toEigen(external) - gravityStep(body, dt);
     const bool isRounding = byUser.cwiseAbs().maxCoeff() <= 8 * rounding * gravityStep(body, dt).norm();

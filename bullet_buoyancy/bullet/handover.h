@@ -38,7 +38,8 @@ private:
     bool isWhereItsSpinLeads(const btRigidBody& body, double dt) const;
 
     btVector3 m_velocity{0, 0, 0}, m_spin{0, 0, 0};  // as given
-    Pose m_start;                                    // of Bullet's
+    Vec3 m_correction = Vec3::Zero();  // the part of the velocity that only moves Bullet's body to ours
+    Pose m_start;                      // of Bullet's
     Pose m_target;
     double m_dt = 0;
     Pose m_pose;

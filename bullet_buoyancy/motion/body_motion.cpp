@@ -55,6 +55,12 @@ void BodyMotion::start(const Motion& motion) {
     m_motion = motion;
 }
 
+void BodyMotion::arriveBeside(const Vec3& offset) {
+    m_motion = m_flight.arrival;
+    m_motion.pose.position += offset;
+    m_knowsLoadAhead = false;
+}
+
 void BodyMotion::arriveElsewhere(const Inertia& inertia, const Pose& pose, const Disturbance& disturbance) {
     const Motion& departure = m_flight.departure;
     m_disturbed = true;

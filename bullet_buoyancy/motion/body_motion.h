@@ -47,6 +47,9 @@ public:
     /// At the target of `depart`.
     void arrive() { m_motion = m_flight.arrival; }
 
+    /// The same, off the target by `offset` (m), which takes no energy.
+    void arriveBeside(const Vec3& offset);
+
     /// Others acted on the way.
     void arriveElsewhere(const Inertia& inertia, const Pose& pose, const Disturbance& disturbance);
 

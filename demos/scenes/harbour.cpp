@@ -154,7 +154,7 @@ HeldResult beach(double ratio, Floater floater, const Stepping& stepping) {
 }
 
 DeckResult holdUnderDeck(Floater floater, const Stepping& stepping) {
-    constexpr double size = 0.3, ratio = 0.01, depth = 1, thickness = 0.5, settlingLimit = 2000;
+    constexpr double size = 0.3, ratio = 0.03, depth = 1, thickness = 0.5, settlingLimit = 2000;
     FloatScene scene(sceneFor(floater));
     btRigidBody& deck =
         scene.addStatic(makeShape(Solid::box, {10, 10, thickness}), at({0, 0, -depth + thickness / 2}));
