@@ -175,7 +175,8 @@ void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, boo
     } else if (how == Return::atTarget) {
         m_motion.arrive();
     } else if (how == Return::astray) {
-        m_motion.arriveAstray(m_inertia, m_handover.pose());
+        if (dt != m_handover.dt()) m_motion.departAgain(m_inertia, stepper, field, dt);
+        m_motion.arrive();  // and Bullet's body is led there
     } else {
         m_motion.arriveElsewhere(m_inertia, m_handover.pose(), m_handover.disturbance());
     }

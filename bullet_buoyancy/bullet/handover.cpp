@@ -45,7 +45,9 @@ double Handover::lag(const Pose& ours) const {
 
 void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt) {
     const Pose& ours = motion.motion().pose;
-    m_correction = correction(ours.position, m_pose.position) / dt;
+    constexpr double forgetting = 0.99;  // a step
+    m_longestStep = std::max(dt, forgetting * m_longestStep);
+    m_correction = correction(ours.position, m_pose.position) / m_longestStep;
     const Vec3 velocity = motion.departure().velocity + m_correction;
     const bool turnedOff = angleBetween(ours.orientation, m_pose.orientation) > 4 * rounding;
     const Eigen::Quaterniond& from = turnedOff ? m_pose.orientation : ours.orientation;

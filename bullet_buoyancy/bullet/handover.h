@@ -27,6 +27,9 @@ public:
     /// The angle by which Bullet's body has yet to be turned to reach a pose of ours, rad.
     double lag(const Pose& ours) const;
 
+    /// Of the step for which the velocities were given, s.
+    double dt() const { return m_dt; }
+
     /// In Bullet's precision.
     const Pose& pose() const { return m_pose; }
     const Disturbance& disturbance() const { return m_disturbance; }
@@ -42,6 +45,8 @@ private:
     Pose m_start;                      // of Bullet's
     Pose m_target;
     double m_dt = 0;
+    double m_longestStep =
+        0;  // lately: where steps vary, a correction meant for a short one would overshoot, s
     Pose m_pose;
     Disturbance m_disturbance;
 };

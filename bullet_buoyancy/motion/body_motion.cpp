@@ -73,11 +73,6 @@ void BodyMotion::arriveElsewhere(const Inertia& inertia, const Pose& pose, const
     m_motion.moveTo(inertia, pose);
 }
 
-void BodyMotion::arriveAstray(const Inertia& inertia, const Pose& pose) {
-    arriveElsewhere(inertia, pose, {});
-    m_disturbed = m_knowsLoadAhead = false;
-}
-
 void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt) {
     m_evaluations = 0;
     if (m_knowsLoadAhead && !m_disturbed)
@@ -157,6 +152,14 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, field, dt);
     spend(m_flight.dissipated);
     m_disturbed = false;
+}
+
+void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& field,
+                             double dt) {
+    spend({-m_flight.dissipated.byDrag, -m_flight.dissipated.byDamping});
+    m_kick = Kick(m_load, dt);
+    m_damps = false;
+    depart(inertia, def, field, dt);
 }
 
 Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const {

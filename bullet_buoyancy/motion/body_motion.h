@@ -53,14 +53,14 @@ public:
     /// Others acted on the way.
     void arriveElsewhere(const Inertia& inertia, const Pose& pose, const Disturbance& disturbance);
 
-    /// The engine took a step of another length than was said, without anybody else's doing.
-    void arriveAstray(const Inertia& inertia, const Pose& pose);
-
     /// Ends the step: after it, `motion` is that at the pose, and `load` what acts there.
     void settle(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
 
     /// Begins the next step: with `departure`, to `target`.
     void depart(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
+
+    /// In place of the last time, since the step was of another length.
+    void departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
 
     const Motion& motion() const { return m_motion; }
     const Motion& departure() const { return m_flight.departure; }

@@ -67,6 +67,8 @@ void addUps(std::vector<HardCase>& cases) {
                      }});
 }
 
+/// Bullet adds gravity by the length of the step, after the action has cancelled it by that of the last one:
+/// its body is off by up to g dt^2 after each change, and led back. So its poses say little of its motion.
 void addUnevenSteps(std::vector<HardCase>& cases) {
     for (double ratio : {0.01, 0.1, 0.5}) {
         DropDef def;
@@ -74,16 +76,16 @@ void addUnevenSteps(std::vector<HardCase>& cases) {
         def.orientation = askew();
         def.stepping.dt = 0.1;
         def.shortestStep = 1.0 / 240;
-        cases.push_back({"steps of 1/240 to 1/10 s", "ratio " + text(ratio), true, [def](Floater floater) {
+        const double off = def.scene.gravity * std::pow(def.stepping.dt, 2) / def.height;
+        cases.push_back({"steps of 1/240 to 1/10 s", "ratio " + text(ratio), true, [=](Floater floater) {
                              DropDef floated = def;
                              floated.scene.floater = floater;
                              const FallResult fall = fallUndamped(floated, 60);
                              const SettleResult rest = settle(floated, 3000);
                              return std::vector<Quantity>{
                                  mustBe("finite", fall.finite && rest.finite),
-                                 {"undamped: rises to", "allowed", fall.rise, 1.001},
+                                 {"undamped: rises to", "allowed", fall.rise, 1.001 + off},
                                  {"undamped: energy gained", "released", fall.energyGain, 1e-3},
-                                 {"undamped: most motion", "allowed", fall.motion, 1.001},
                                  mustBe("at rest in the end", rest.atRest),
                                  {"settled: wet share off", "draft", rest.wetError, wetErrorLimit(def)}};
                          }});

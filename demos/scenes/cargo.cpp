@@ -18,6 +18,7 @@ struct Loading {
     Vec3 pieceSize;
     double pieceMass;  // kg
     int pieces;
+    double seconds;
 };
 
 double totalMass(const Loading& loading) {
@@ -49,7 +50,7 @@ CargoResult ride(const Loading& loading, Floater floater, const Stepping& steppi
     for (int i = 0; i < loading.pieces; ++i)
         pieces.push_back(
             &addBox(scene, loading.pieceSize, loading.pieceMass, raftHeight + heightOnRaft(loading, i)));
-    scene.run(30, stepping.dt, stepping.substeps);
+    scene.run(loading.seconds, stepping.dt, stepping.substeps);
 
     CargoResult result{0, 0, 0, 0, isFinite(scene, raft)};
     result.displacementError = std::abs(scene.report(raft).submergedVolume / displaced - 1);
@@ -69,11 +70,11 @@ CargoResult ride(const Loading& loading, Floater floater, const Stepping& steppi
 }  // namespace
 
 CargoResult stackCratesOnRaft(Floater floater, const Stepping& stepping) {
-    return ride({{8, 8, 1}, 19200, {0.8, 0.8, 0.8}, 150, 10}, floater, stepping);
+    return ride({{8, 8, 1}, 19200, {0.8, 0.8, 0.8}, 150, 10, 30}, floater, stepping);
 }
 
 CargoResult loadInflatableRaft(Floater floater, const Stepping& stepping) {
-    return ride({{3, 1.5, 0.4}, 30, {0.8, 0.8, 0.6}, 300, 1}, floater, stepping);
+    return ride({{3, 1.5, 0.4}, 30, {0.8, 0.8, 0.6}, 300, 1, 60}, floater, stepping);
 }
 
 }  // namespace bullet_buoyancy::scenes

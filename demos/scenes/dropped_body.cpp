@@ -51,6 +51,12 @@ double swingSpeed(const DropDef& def, const BodyDef& drag) {
     return drag.linearDrag > 0 ? std::min(swing, share / def.ratio * gravity / drag.linearDrag) : swing;
 }
 
+/// The lightest bodies, which water hardly slows, may go on hopping by 1e-4 of their length.
+double hopSpeed(const DropDef& def) {
+    constexpr double lightest = 0.01, hop = 1e-4;
+    return def.ratio < lightest ? std::sqrt(2 * def.scene.gravity * hop * largestLength(def)) : 0;
+}
+
 /// A body that is to move by less than the rounding in a step stands still, at any velocity up to this, m/s.
 double slowestSpeed(const DropDef& def) {
     return positionRounding(def) / def.stepping.dt;
@@ -88,12 +94,20 @@ FallResult fallUndamped(const DropDef& def, double seconds) {
             flight.mostMotion / (mass * speed * speed / 2), flight.finite};
 }
 
+double motionShown(const DropDef& def) {
+    if (def.height >= 0) return 1;
+    const double acceleration = (1 / def.ratio - 1) * def.scene.gravity;
+    const double fastest = std::sqrt(2 * acceleration * -def.height);
+    return std::pow(1 + acceleration * def.stepping.dt / (2 * fastest), 2);
+}
+
 SettleResult settle(const DropDef& def, double limitSeconds, const BodyDef& drag) {
     FloatScene scene(def.scene);
     btRigidBody& body = release(scene, def, drag);
     const double share = smallerShare(def.ratio);
     RestDef rest{};
-    rest.speed = 3e-4 * swingSpeed(def, drag) + roundingSpeed(def, drag);
+    rest.speed = std::max(3e-4 * swingSpeed(def, drag), hopSpeed(def)) + roundingSpeed(def, drag);
+    rest.maxSteps = 100000000;
     rest.hold = std::max(5.0, 4 * pi * std::sqrt(largestLength(def) / def.scene.gravity));
     rest.limit = limitSeconds;
     const Rest reached = awaitRest(scene, body, rest, StepLengths(def.stepping, def.shortestStep));
@@ -116,7 +130,8 @@ double cubeTiltError(double ratio, const Vec3& upInCube) {
 double wetErrorLimit(const DropDef& def, const BodyDef& drag) {
     const double rounding = positionRounding(def);
     const double share = smallerShare(def.ratio);
-    return 1e-3 + 2 * rounding / (share * largestLength(def)) +
+    constexpr double unresolved = 1e-5;  // of the length: what an implicit step leaves of a tiny draft
+    return std::max(1e-3, unresolved / share) + 2 * rounding / (share * largestLength(def)) +
            roundingSpeed(def, drag) * drag.linearDrag * def.ratio / (share * def.scene.gravity);
 }
 

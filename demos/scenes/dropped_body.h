@@ -34,6 +34,10 @@ struct FallResult {
 };
 FallResult fallUndamped(const DropDef& def, double seconds);
 
+/// What `FallResult::motion` may come to, since the mean velocity of a step shows what is gained in half of
+/// it: by buoyancy, that of a body let go under water, (1/ratio - 1) g, on its way to the surface.
+double motionShown(const DropDef& def);
+
 /// How a body floats once it has come to rest. The lengths by which its wet share and its freeboard can
 /// differ are small where its ratio is near 0 or 1: `wetError` is over the smaller of ratio and 1 - ratio.
 struct SettleResult {
@@ -54,8 +58,9 @@ double tiltOfFace(const Vec3& upInCube);
 /// known in closed form.
 double cubeTiltError(double ratio, const Vec3& upInCube);
 
-/// What `SettleResult::wetError` may be: a thousandth, and Bullet's rounding of the position: by itself, and
-/// by the speed at which a body is taken for at rest, since rounding leaves it no slower.
+/// What `SettleResult::wetError` may be: a thousandth, or a draft of 1e-5 of the body's length, and Bullet's
+/// rounding of the position: by itself, and by the speed at which a body is taken for at rest, since rounding
+/// leaves it no slower.
 double wetErrorLimit(const DropDef& def, const BodyDef& drag = {});
 
 /// Bullet's rounding of the body's position, as far as it is from the world's origin, m.

@@ -6,8 +6,9 @@
 namespace bullet_buoyancy::scenes {
 namespace {
 
-/// The momentum is read from Bullet's velocity and rotation matrix: some 1e-7 each in single precision.
-constexpr double readingError = sizeof(btScalar) == 4 ? 5e-6 : 1e-11;
+/// The momentum is reported in Bullet's precision: some 1e-7 in single. In double what counts is that the
+/// water's torques cancel to 1e-16 of their parts, while the momentum falls to 5e-5 of its start.
+constexpr double readingError = sizeof(btScalar) == 4 ? 5e-6 : 1e-10;
 
 TEST(FreeSpin, MomentumKeepsItsLengthAndAxisWithoutDamping) {
     SpinDef def;
