@@ -17,7 +17,8 @@ enum class BodyState {
     asleep,      ///< left asleep; without kinetic energy; the other fields are those of its last step
     notInWorld,  ///< not touched: removed from the world
     notDynamic,  ///< not touched: made static or kinematic
-    notFinite,   ///< not touched: pose, velocity, mass or inertia is NaN or infinite
+    notFinite,  ///< not touched: pose, velocity, mass or inertia is NaN or infinite, or would be after a step
+    badStep,    ///< not touched: the step was zero, negative or not finite
 };
 
 /// Which effects acted in the last substep.

@@ -71,7 +71,11 @@ const BodyReport& BuoyancyAction::report(const btRigidBody& body) const {
 }
 
 void BuoyancyAction::updateAction(btCollisionWorld* world, btScalar dt) {
-    if (!(dt > 0) || !std::isfinite(dt)) return;
+    if (!(dt > 0) || !std::isfinite(dt)) {
+        for (FloatingBody& floating : m_bodies)
+            floating.skip(BodyState::badStep);
+        return;
+    }
     const auto& dynamicsWorld = *static_cast<btDynamicsWorld*>(world);  // the only worlds that have actions
     m_time += double(dt);
     const WaterNow water{*m_water, m_water->bounds(), gravityAlongDown(dynamicsWorld, m_water->frame()),

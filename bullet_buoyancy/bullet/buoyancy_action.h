@@ -53,7 +53,7 @@ public:
 
     std::size_t bodyCount() const { return m_bodies.size(); }
 
-    /// Called by Bullet in each substep; does nothing unless dt (s) is above zero and finite.
+    /// Called by Bullet in each substep; bodies are not touched unless dt (s) is above zero and finite.
     void updateAction(btCollisionWorld* world, btScalar dt) override;
 
     /// Waterlines and wetted triangles, centres of buoyancy and mass, and the force of the water. Bullet

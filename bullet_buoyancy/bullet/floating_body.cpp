@@ -23,6 +23,10 @@ bool isFinite(const btRigidBody& body) {
     return sum.allFinite();  // NaN and infinity survive every sum
 }
 
+bool isFinite(const Motion& motion) {
+    return (motion.velocity + motion.spin).allFinite();
+}
+
 /// About every axis of its own.
 bool hasInertia(const btRigidBody& body) {
     return toEigen(body.getInvInertiaDiagLocal()).minCoeff() > 0;
@@ -119,6 +123,7 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     m_motion.settle(m_inertia, stepper, field, dt);
     stepper.turnLimit -= std::min(largestTurn, m_handover.lag(m_motion.motion().pose));
     m_motion.depart(m_inertia, stepper, field, dt);
+    if (!isFinite(m_motion.departure())) return skip(BodyState::notFinite);
     m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.scheme), dt);
     writeReport(water, field, dt);
     if (m_report.wetFraction > 0) keepAwakeUnlessAtRest(water);

@@ -49,7 +49,7 @@ void addCurrent(std::vector<HardCase>& cases) {
                                  def.stepping.dt = dt;
                                  def.floater = floater;
                                  const CurrentResult result = driftInCurrent(def);
-                                 // The velocity is Bullet's, rounded to 6e-8 of some 1 m/s.
+                                 // The velocity is reported in Bullet's precision, 6e-8 of some 1 m/s.
                                  return std::vector<Quantity>{
                                      mustBe("finite", result.finite),
                                      {"past the current's speed", "start", result.overshoot, 1e-6},

@@ -22,7 +22,7 @@ CurrentResult driftInCurrent(const CurrentDef& def) {
     while (scene.time() < def.seconds && result.finite) {
         scene.step(def.stepping.dt, def.stepping.substeps);
         result.finite = isFinite(scene, crate);
-        const double relative = (double(crate.getLinearVelocity().x()) - def.current) / start;
+        const double relative = (double(scene.report(crate).velocity.x()) - def.current) / start;
         result.overshoot = std::max(result.overshoot, -relative);
         result.remaining = std::abs(relative);
     }

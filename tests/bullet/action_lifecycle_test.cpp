@@ -272,13 +272,13 @@ TEST(ABodyWhoseInertiaIsTakenAndGivenBack, TurnsAgain) {
     EXPECT_GT(scenes::upInBody(raft, scene.water()).z(), 1 - 1e-6);
 }
 
-TEST(AnAbsurdTimeStep, DoesNothing) {
+TEST(AnAbsurdTimeStep, IsReportedAndDoesNothing) {
     FloatScene scene;
     btRigidBody& crate = scene.addFloatingBox({1, 1, 1}, 0.5, at({0, 0, 0}));
     for (btScalar step : {btScalar(0), btScalar(-1), nan, std::numeric_limits<btScalar>::infinity()}) {
         scene.buoyancy().updateAction(&scene.world(), step);
         EXPECT_EQ(crate.getLinearVelocity().length(), 0);
-        EXPECT_EQ(scene.buoyancy().report(crate).state, BodyState::notStepped);
+        EXPECT_EQ(scene.buoyancy().report(crate).state, BodyState::badStep);
     }
 }
 
