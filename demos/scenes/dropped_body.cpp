@@ -51,10 +51,10 @@ double swingSpeed(const DropDef& def, const BodyDef& drag) {
     return drag.linearDrag > 0 ? std::min(swing, share / def.ratio * gravity / drag.linearDrag) : swing;
 }
 
-/// The lightest bodies, which water hardly slows, may go on hopping by 1e-4 of their length.
+/// The lightest bodies, which water hardly slows, may go on hopping by 1e-4 of their least length.
 double hopSpeed(const DropDef& def) {
     constexpr double lightest = 0.01, hop = 1e-4;
-    return def.ratio < lightest ? std::sqrt(2 * def.scene.gravity * hop * largestLength(def)) : 0;
+    return def.ratio < lightest ? std::sqrt(2 * def.scene.gravity * hop * def.size.minCoeff()) : 0;
 }
 
 /// A body that is to move by less than the rounding in a step stands still, at any velocity up to this, m/s.
