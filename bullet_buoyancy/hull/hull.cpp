@@ -60,6 +60,7 @@ VolumeMoments takeIn(HullPart& part, HullStatus& status) {
         if (findings.error != HullError::none) status.error = findings.error;
         status.weldedVertices += findings.weldedVertices;
         status.degenerateTriangles += findings.degenerateTriangles;
+        status.duplicateTriangles += findings.duplicateTriangles;
         status.flippedTriangles += findings.flippedTriangles;
         status.openEdges += findings.openEdges;
         if (status.accepted() && mesh->triangles.empty()) status.error = HullError::noTriangles;

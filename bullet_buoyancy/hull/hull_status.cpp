@@ -36,6 +36,7 @@ std::string HullStatus::describe() const {
     };
     remark(weldedVertices, " repeated or unused vertices taken out");
     remark(degenerateTriangles, " triangles without area taken out");
+    remark(duplicateTriangles, " repeated triangles taken out");
     remark(flippedTriangles, " triangles turned outward");
     remark(openEdges, " open edges: pressure acts on the triangles that are there");
     remark(overlappingPairs, " pairs of parts overlap and displace the water there twice");

@@ -21,6 +21,7 @@ struct HullStatus {
     const char* reason = "";              ///< static text, for `unsupportedShape`
     std::size_t weldedVertices = 0;       ///< repeated or unused vertices taken out
     std::size_t degenerateTriangles = 0;  ///< triangles without area taken out
+    std::size_t duplicateTriangles = 0;   ///< triangles that repeated another one, taken out
     std::size_t flippedTriangles = 0;     ///< triangles turned outward
     std::size_t openEdges = 0;            ///< above 0: pressure acts on the triangles that are there
     std::size_t overlappingPairs = 0;     ///< pairs of parts that overlap and displace the water there twice

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/hull/duplicate_triangles.h"
 #include "bullet_buoyancy/hull/mesh_edges.h"
 #include "bullet_buoyancy/hull/volume_moments.h"
 #include "bullet_buoyancy/hull/weld.h"
@@ -214,6 +215,13 @@ std::size_t applyFlips(TriangleMesh& mesh, const std::vector<Shell>& shells) {
     return flips;
 }
 
+/// Returns how many triangles it turned.
+std::size_t orient(TriangleMesh& mesh) {
+    std::vector<Shell> shells = joinedAtSeams(mesh, consistentShells(mesh));
+    turnOutward(mesh, shells);
+    return applyFlips(mesh, shells);
+}
+
 }  // namespace
 
 MeshFindings repairMesh(TriangleMesh& mesh) {
@@ -225,9 +233,13 @@ MeshFindings repairMesh(TriangleMesh& mesh) {
     findings.weldedVertices = welded.removedVertices;
     findings.degenerateTriangles = welded.removedTriangles;
 
-    std::vector<Shell> shells = joinedAtSeams(mesh, consistentShells(mesh));
-    turnOutward(mesh, shells);
-    findings.flippedTriangles = applyFlips(mesh, shells);
+    findings.duplicateTriangles = removeDuplicateTriangles(mesh);
+    findings.flippedTriangles = orient(mesh);
+    // Copies that disagreed in their winding are the same only now.
+    if (const std::size_t duplicates = removeDuplicateTriangles(mesh)) {
+        findings.duplicateTriangles += duplicates;
+        findings.flippedTriangles += orient(mesh);
+    }
     findings.openEdges = countOpenEdges(mesh);
     return findings;
 }
