@@ -164,19 +164,6 @@ TriangleMesh meshOf(const TriangleMesh& mesh, const Shell& shell) {
     return part;
 }
 
-/// Asks at several places, for where the two touch the winding number is a half.
-bool encloses(const TriangleMesh& outer, const TriangleMesh& inner) {
-    const std::size_t stride = 1 + inner.triangles.size() / 32;
-    double excess = 0;
-    for (std::size_t t = 0; t < inner.triangles.size(); t += stride) {
-        const Triangle& triangle = inner.triangles[t];
-        const Vec3 centroid =
-            (inner.vertices[triangle[0]] + inner.vertices[triangle[1]] + inner.vertices[triangle[2]]) / 3;
-        excess += std::min(1.0, std::abs(windingNumber(outer, centroid))) - 0.5;
-    }
-    return excess > 0;
-}
-
 /// Flat shells face neither way, whatever rounding makes of their volume.
 bool facesInward(const TriangleMesh& mesh) {
     return volumeMoments(mesh).volume < -flatnessTolerance * std::pow(meshSize(mesh), 3);
@@ -215,11 +202,14 @@ std::size_t applyFlips(TriangleMesh& mesh, const std::vector<Shell>& shells) {
     return flips;
 }
 
-/// Returns how many triangles it turned.
-std::size_t orient(TriangleMesh& mesh) {
+/// Makes neighbours agree and turns what is outermost outward.
+void orient(TriangleMesh& mesh, MeshFindings& findings) {
     std::vector<Shell> shells = joinedAtSeams(mesh, consistentShells(mesh));
     turnOutward(mesh, shells);
-    return applyFlips(mesh, shells);
+    findings.flippedTriangles += applyFlips(mesh, shells);
+    findings.shells.clear();
+    for (Shell& shell : shells)
+        findings.shells.push_back(std::move(shell.triangles));
 }
 
 }  // namespace
@@ -234,11 +224,11 @@ MeshFindings repairMesh(TriangleMesh& mesh) {
     findings.degenerateTriangles = welded.removedTriangles;
 
     findings.duplicateTriangles = removeDuplicateTriangles(mesh);
-    findings.flippedTriangles = orient(mesh);
+    orient(mesh, findings);
     // Copies that disagreed in their winding are the same only now.
     if (const std::size_t duplicates = removeDuplicateTriangles(mesh)) {
         findings.duplicateTriangles += duplicates;
-        findings.flippedTriangles += orient(mesh);
+        orient(mesh, findings);
     }
     findings.openEdges = countOpenEdges(mesh);
     return findings;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bullet_buoyancy/hull/hull_status.h"
 #include "bullet_buoyancy/hull/triangle_mesh.h"
 
@@ -14,6 +16,7 @@ struct MeshFindings {
     std::size_t duplicateTriangles = 0;  ///< triangles that repeated another one, taken out
     std::size_t flippedTriangles = 0;    ///< triangles that faced inward, turned round
     std::size_t openEdges = 0;           ///< edges whose triangles do not balance: 0 means a closed surface
+    std::vector<std::vector<std::uint32_t>> shells;  ///< triangles of each piece that hangs together
 };
 
 /// Makes one vertex of those within `weldTolerance` of the mesh's size, takes out triangles that collapse by
