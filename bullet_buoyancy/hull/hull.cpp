@@ -5,13 +5,17 @@
 #include <cmath>
 
 #include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/hull/closed_solids.h"
+#include "bullet_buoyancy/hull/find_overlaps.h"
 #include "bullet_buoyancy/hull/mesh_repair.h"
-#include "bullet_buoyancy/hull/overlap.h"
 #include "bullet_buoyancy/hull/tessellate.h"
 
 namespace bullet_buoyancy {
 
 namespace {
+
+/// A bound on the time that one mesh of many solids takes: some tenths of a second.
+constexpr std::size_t pairsCheckedInAMesh = 1000;
 
 /// A mesh near enough to a part to tell whether parts overlap, and how its surface lies.
 TriangleMesh roughMesh(const TriangleMesh& mesh) {
@@ -53,17 +57,29 @@ struct AddTo {
     void operator()(const SolidOfRevolution& solid) const { hull.solids.push_back(solid); }
 };
 
+void note(const Overlaps& overlaps, HullStatus& status) {
+    status.overlappingPairs += overlaps.pairs;
+    status.overlapVolume += overlaps.volume;
+    status.uncheckedPairs += overlaps.uncheckedPairs;
+}
+
+/// Repairs one mesh and notes what was found.
+void repairAndNote(TriangleMesh& mesh, HullStatus& status) {
+    const MeshFindings findings = repairMesh(mesh);
+    status.error = findings.error;
+    status.weldedVertices += findings.weldedVertices;
+    status.degenerateTriangles += findings.degenerateTriangles;
+    status.duplicateTriangles += findings.duplicateTriangles;
+    status.flippedTriangles += findings.flippedTriangles;
+    status.openEdges += findings.openEdges;
+    if (status.accepted() && mesh.triangles.empty()) status.error = HullError::noTriangles;
+    if (findings.shells.size() > 1)
+        note(findOverlaps(closedSolids(mesh, findings.shells), pairsCheckedInAMesh), status);
+}
+
 /// Repairs, checks and notes one part.
 VolumeMoments takeIn(HullPart& part, HullStatus& status) {
-    if (auto* mesh = std::get_if<TriangleMesh>(&part)) {
-        const MeshFindings findings = repairMesh(*mesh);
-        if (findings.error != HullError::none) status.error = findings.error;
-        status.weldedVertices += findings.weldedVertices;
-        status.degenerateTriangles += findings.degenerateTriangles;
-        status.flippedTriangles += findings.flippedTriangles;
-        status.openEdges += findings.openEdges;
-        if (status.accepted() && mesh->triangles.empty()) status.error = HullError::noTriangles;
-    }
+    if (auto* mesh = std::get_if<TriangleMesh>(&part)) repairAndNote(*mesh, status);
     if (!status.accepted()) return {};
     const auto measure = [](const auto& p) { return volumeMoments(p); };
     const VolumeMoments moments = std::visit(measure, part);
@@ -74,19 +90,12 @@ VolumeMoments takeIn(HullPart& part, HullStatus& status) {
     return moments;
 }
 
-void noteOverlaps(const std::vector<HullPart>& parts, const std::vector<VolumeMoments>& moments,
-                  HullStatus& status) {
+void noteOverlapsOfParts(const std::vector<HullPart>& parts, HullStatus& status) {
     if (parts.size() < 2) return;
     std::vector<TriangleMesh> meshes;
     for (const HullPart& part : parts)
         meshes.push_back(std::visit([](const auto& p) { return roughMesh(p); }, part));
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::size_t j = i + 1; j < parts.size(); ++j) {
-            const double overlap = overlapVolume(meshes[i], meshes[j]);
-            if (overlap <= overlapTolerance * std::min(moments[i].volume, moments[j].volume)) continue;
-            ++status.overlappingPairs;
-            status.overlapVolume += overlap;
-        }
+    note(findOverlaps(meshes, meshes.size() * meshes.size()), status);
 }
 
 /// Centred in the bounding box.
@@ -129,18 +138,16 @@ Sphere boundingSphere(const Hull& hull) {
 HullResult makeHull(std::vector<HullPart> parts) {
     HullStatus status;
     if (parts.empty()) status.error = HullError::noTriangles;
-    std::vector<VolumeMoments> moments;
     auto hull = std::make_shared<Hull>();
     for (HullPart& part : parts) {
-        moments.push_back(takeIn(part, status));
+        hull->moments += takeIn(part, status);
         if (!status.accepted()) return {nullptr, status};
-        hull->moments += moments.back();
         hull->surface += std::visit([](const auto& p) { return surfaceMoments(roughMesh(p)); }, part);
         hull->surfaceArea += std::visit([](const auto& p) { return surfaceArea(p); }, part);
         std::visit(AddTo{*hull}, part);
     }
     if (!status.accepted()) return {nullptr, status};
-    noteOverlaps(parts, moments, status);
+    noteOverlapsOfParts(parts, status);
     hull->meshIsClosed = status.openEdges == 0;
     hull->bounds = boundingSphere(*hull);
     return {hull, status};

@@ -36,10 +36,12 @@ std::string HullStatus::describe() const {
     };
     remark(weldedVertices, " repeated or unused vertices taken out");
     remark(degenerateTriangles, " triangles without area taken out");
+    remark(duplicateTriangles, " repeated triangles taken out");
     remark(flippedTriangles, " triangles turned outward");
     remark(openEdges, " open edges: pressure acts on the triangles that are there");
     remark(overlappingPairs, " pairs of parts overlap and displace the water there twice");
     remark(overlapVolume, " m^3 (estimated) displaced twice");
+    remark(uncheckedPairs, " pairs of solids in one mesh not checked for overlap");
     remark(tessellationError, " of the volume uncertain by tessellation");
     return text.tellp() > 0 ? text.str() : explain(*this);
 }

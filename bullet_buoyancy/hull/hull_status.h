@@ -21,10 +21,14 @@ struct HullStatus {
     const char* reason = "";              ///< static text, for `unsupportedShape`
     std::size_t weldedVertices = 0;       ///< repeated or unused vertices taken out
     std::size_t degenerateTriangles = 0;  ///< triangles without area taken out
+    std::size_t duplicateTriangles = 0;   ///< triangles that repeated another one, taken out
     std::size_t flippedTriangles = 0;     ///< triangles turned outward
     std::size_t openEdges = 0;            ///< above 0: pressure acts on the triangles that are there
-    std::size_t overlappingPairs = 0;     ///< pairs of parts that overlap and displace the water there twice
-    double overlapVolume = 0;             ///< estimate of what is displaced twice, m^3
+    /// Pairs of parts, or of solids in one mesh, that overlap and displace the water there twice.
+    std::size_t overlappingPairs = 0;
+    double overlapVolume = 0;  ///< estimate of what is displaced twice, m^3
+    /// Pairs of solids in one mesh that may overlap but were not checked: 1000 are.
+    std::size_t uncheckedPairs = 0;
     double tessellationError =
         0;  ///< of smooth shapes without a formula: share of the volume that is uncertain
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/hull/duplicate_triangles.h"
 #include "bullet_buoyancy/hull/mesh_edges.h"
 #include "bullet_buoyancy/hull/volume_moments.h"
 #include "bullet_buoyancy/hull/weld.h"
@@ -163,19 +164,6 @@ TriangleMesh meshOf(const TriangleMesh& mesh, const Shell& shell) {
     return part;
 }
 
-/// Asks at several places, for where the two touch the winding number is a half.
-bool encloses(const TriangleMesh& outer, const TriangleMesh& inner) {
-    const std::size_t stride = 1 + inner.triangles.size() / 32;
-    double excess = 0;
-    for (std::size_t t = 0; t < inner.triangles.size(); t += stride) {
-        const Triangle& triangle = inner.triangles[t];
-        const Vec3 centroid =
-            (inner.vertices[triangle[0]] + inner.vertices[triangle[1]] + inner.vertices[triangle[2]]) / 3;
-        excess += std::min(1.0, std::abs(windingNumber(outer, centroid))) - 0.5;
-    }
-    return excess > 0;
-}
-
 /// Flat shells face neither way, whatever rounding makes of their volume.
 bool facesInward(const TriangleMesh& mesh) {
     return volumeMoments(mesh).volume < -flatnessTolerance * std::pow(meshSize(mesh), 3);
@@ -214,6 +202,16 @@ std::size_t applyFlips(TriangleMesh& mesh, const std::vector<Shell>& shells) {
     return flips;
 }
 
+/// Makes neighbours agree and turns what is outermost outward.
+void orient(TriangleMesh& mesh, MeshFindings& findings) {
+    std::vector<Shell> shells = joinedAtSeams(mesh, consistentShells(mesh));
+    turnOutward(mesh, shells);
+    findings.flippedTriangles += applyFlips(mesh, shells);
+    findings.shells.clear();
+    for (Shell& shell : shells)
+        findings.shells.push_back(std::move(shell.triangles));
+}
+
 }  // namespace
 
 MeshFindings repairMesh(TriangleMesh& mesh) {
@@ -225,9 +223,13 @@ MeshFindings repairMesh(TriangleMesh& mesh) {
     findings.weldedVertices = welded.removedVertices;
     findings.degenerateTriangles = welded.removedTriangles;
 
-    std::vector<Shell> shells = joinedAtSeams(mesh, consistentShells(mesh));
-    turnOutward(mesh, shells);
-    findings.flippedTriangles = applyFlips(mesh, shells);
+    findings.duplicateTriangles = removeDuplicateTriangles(mesh);
+    orient(mesh, findings);
+    // Copies that disagreed in their winding are the same only now.
+    if (const std::size_t duplicates = removeDuplicateTriangles(mesh)) {
+        findings.duplicateTriangles += duplicates;
+        orient(mesh, findings);
+    }
     findings.openEdges = countOpenEdges(mesh);
     return findings;
 }

@@ -1,6 +1,7 @@
 #include "bullet_buoyancy/hull/winding_number.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "bullet_buoyancy/core/constants.h"
@@ -18,6 +19,18 @@ double windingNumber(const TriangleMesh& mesh, const Vec3& point) {
             std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
     }
     return halfSolidAngles / (2 * pi);
+}
+
+bool encloses(const TriangleMesh& outer, const TriangleMesh& inner) {
+    const std::size_t stride = 1 + inner.triangles.size() / 32;
+    double excess = 0;  // at several places, for where the two touch the winding number is a half
+    for (std::size_t t = 0; t < inner.triangles.size(); t += stride) {
+        const Triangle& triangle = inner.triangles[t];
+        const Vec3 centroid =
+            (inner.vertices[triangle[0]] + inner.vertices[triangle[1]] + inner.vertices[triangle[2]]) / 3;
+        excess += std::min(1.0, std::abs(windingNumber(outer, centroid))) - 0.5;
+    }
+    return excess > 0;
 }
 
 }  // namespace bullet_buoyancy

@@ -9,4 +9,7 @@ namespace bullet_buoyancy {
 /// and Strackee 1983).
 double windingNumber(const TriangleMesh& mesh, const Vec3& point);
 
+/// Whether most of a surface lies within another one, whichever way that faces: asked at up to 32 centroids.
+bool encloses(const TriangleMesh& outer, const TriangleMesh& inner);
+
 }  // namespace bullet_buoyancy

@@ -128,6 +128,17 @@ TEST(MakeHull, SaysWhatItRepaired) {
     EXPECT_NEAR(result.hull->moments.volume, 1, rounding);
 }
 
+TEST(MakeHull, DisplacesOnceWhatIsThereTwice) {
+    const HullResult result = makeHull({joined(unitBox, unitBox), boxMesh({1, 1, 1}, {3, 0, 0})});
+    ASSERT_TRUE(result.hull);
+    EXPECT_EQ(result.status.duplicateTriangles, 12u);
+    EXPECT_EQ(result.status.overlappingPairs, 0u);
+    EXPECT_TRUE(mentions(result.status, "12 repeated triangles taken out"));
+    EXPECT_NEAR(result.hull->moments.volume, 2, rounding);
+    EXPECT_NEAR(result.hull->surfaceArea, 12, rounding);
+    EXPECT_TRUE(result.hull->meshIsClosed);
+}
+
 TEST(MakeHull, SumsTheRemarksOfItsParts) {
     const TriangleMesh open = without(unitBox, 10, 2), flipped = inverted(boxMesh({1, 1, 1}, {3, 0, 0}));
     const HullResult result = makeHull({open, flipped, soup(boxMesh({1, 1, 1}, {6, 0, 0}))});

@@ -214,6 +214,7 @@ TEST(RepairMesh, IsDoneAfterOnce) {
     flipRandomTriangles(mesh, 0.3, random);
     repairMesh(mesh);
     const MeshFindings again = repairMesh(mesh);
+    EXPECT_EQ(again.duplicateTriangles, 0u);
     EXPECT_EQ(again.weldedVertices + again.degenerateTriangles + again.flippedTriangles + again.openEdges,
               0u);
 }
@@ -308,17 +309,113 @@ TEST(RepairMesh, TurnsTheInvertedOneOfTwoSolidsThatTouchFaceToFace) {
     }
 }
 
-TEST(RepairMesh, NeverTurnsATriangleThatIsThereTwice) {
-    // A repeated triangle pushes twice; its sides are open, which is reported. Turned round, it would pull.
+TEST(RepairMesh, TakesOutATriangleThatIsThereTwice) {
     Random random(8);
+    const double volume = volumeMoments(icosphere()).volume;
     for (int i = 0; i < 300; ++i) {
         TriangleMesh mesh = moved(icosphere(), {random.inCube(1), random.orientation()});
         mesh.triangles.push_back(mesh.triangles[random.index(mesh.triangles.size())]);
         const TriangleMesh start = i % 2 ? mesh : inverted(mesh);
         mesh = shuffled(start, random);
         const MeshFindings findings = repairMesh(mesh);
-        EXPECT_EQ(findings.openEdges, 3u);
-        EXPECT_EQ(findings.flippedTriangles, i % 2 ? 0u : 321u);
+        EXPECT_EQ(findings.duplicateTriangles, 1u);
+        EXPECT_EQ(findings.openEdges, 0u);
+        EXPECT_EQ(findings.flippedTriangles, i % 2 ? 0u : 320u);
+        EXPECT_NEAR(volumeMoments(mesh).volume, volume, 10 * roundingOfVolume);
+    }
+}
+
+TEST(RepairMesh, TakesOutAMeshThatIsThereTwiceOrThrice) {
+    Random random(15);
+    const TriangleMesh open = without(unitBox, 10, 2);
+    for (const TriangleMesh& once : {unitBox, icosphere(), ringMesh(0.3, 0.6, 0.2, 12), open}) {
+        const std::size_t openEdges = countOpenEdges(once), count = once.triangles.size();
+        TriangleMesh alone = once;
+        repairMesh(alone);
+        for (const TriangleMesh& twice : {joined(once, once), joined(soup(once), soup(once)),
+                                          joined(joined(once, once), once), inverted(joined(once, once))}) {
+            TriangleMesh mesh = shuffled(twice, random);
+            const MeshFindings findings = repairMesh(mesh);
+            EXPECT_EQ(findings.duplicateTriangles, twice.triangles.size() - count);
+            EXPECT_EQ(mesh.triangles.size(), count);
+            EXPECT_EQ(findings.openEdges, openEdges);
+            EXPECT_NEAR(volumeMoments(mesh).volume, volumeMoments(alone).volume, roundingOfVolume);
+        }
+    }
+}
+
+TEST(RepairMesh, TakesOutCopiesWhoseWindingDisagreesWithTheirNeighbours) {
+    Random random(16);
+    const double volume = volumeMoments(icosphere()).volume;
+    for (int i = 0; i < 100; ++i) {
+        TriangleMesh mesh = icosphere();
+        flipRandomTriangles(mesh, random.uniform(0, 1), random);
+        mesh = shuffled(joined(mesh, mesh), random);
+        const MeshFindings findings = repairMesh(mesh);
+        EXPECT_EQ(findings.duplicateTriangles, 320u);
+        EXPECT_EQ(findings.openEdges, 0u);
+        EXPECT_NEAR(volumeMoments(mesh).volume, volume, roundingOfVolume);
+    }
+}
+
+TEST(RepairMesh, TakesOutACopyThatDisagreesWithItsOriginal) {
+    const TriangleMesh twice = joined(unitBox, unitBox);
+    for (std::size_t t = 0; t < twice.triangles.size(); ++t) {
+        TriangleMesh mesh = twice;
+        mesh.triangles[t] = turned(mesh.triangles[t]);
+        const MeshFindings findings = repairMesh(mesh);
+        EXPECT_EQ(findings.duplicateTriangles, 12u);
+        EXPECT_EQ(findings.flippedTriangles, 1u);
+        EXPECT_EQ(findings.openEdges, 0u);
+        EXPECT_NEAR(volumeMoments(mesh).volume, 1, roundingOfVolume);
+    }
+}
+
+TEST(RepairMesh, LeavesTheTwoSidesOfASheet) {
+    TriangleMesh sides = joined(unitBox, inverted(unitBox));
+    EXPECT_EQ(repairMesh(sides).duplicateTriangles, 0u);
+    EXPECT_EQ(sides.triangles.size(), 24u);
+    EXPECT_NEAR(volumeMoments(sides).volume, 0, roundingOfVolume);
+
+    // A fin of two sides stays, whether it stands at an edge or lies on a face.
+    for (const Triangle& corners : {Triangle{0, 1, 8}, unitBox.triangles[0]}) {
+        TriangleMesh mesh = unitBox;
+        mesh.vertices.push_back({0, 0, -2});
+        mesh.triangles.insert(mesh.triangles.end(), {corners, turned(corners)});
+        const MeshFindings findings = repairMesh(mesh);
+        EXPECT_EQ(findings.duplicateTriangles, 0u);
+        EXPECT_EQ(findings.openEdges, 0u);
+        EXPECT_NEAR(volumeMoments(mesh).volume, 1, roundingOfVolume);
+    }
+}
+
+TEST(RepairMesh, LeavesTheCommonFaceOfSolidsThatTouchThere) {
+    // The face is there from either side; where one box is inside out, twice from the same.
+    Random random(17);
+    const TriangleMesh lower = boxMesh({1, 1, 1}), upper = boxMesh({1, 1, 1}, {0, 0, 1});
+    TriangleMesh mirrored = upper;  // so that the common face is cut alike
+    for (Vec3& vertex : mirrored.vertices)
+        vertex.z() = 2 - vertex.z();
+    mirrored = inverted(mirrored);
+    for (const TriangleMesh& other : {upper, mirrored, inverted(mirrored)})
+        for (int i = 0; i < 20; ++i) {
+            TriangleMesh mesh = shuffled(joined(lower, other), random);
+            const MeshFindings findings = repairMesh(mesh);
+            EXPECT_EQ(findings.duplicateTriangles, 0u);
+            EXPECT_EQ(findings.openEdges, 0u);
+            EXPECT_EQ(mesh.triangles.size(), 24u);
+        }
+}
+
+TEST(RepairMesh, TakesOutOneOfTwoSolidsThatTouchWhenItIsThereTwice) {
+    Random random(18);
+    const TriangleMesh lower = boxMesh({1, 1, 1}), upper = boxMesh({1, 1, 2}, {0, 0, 1.5});
+    for (const TriangleMesh& twice : {lower, upper}) {
+        TriangleMesh mesh = shuffled(joined(joined(lower, upper), twice), random);
+        const MeshFindings findings = repairMesh(mesh);
+        EXPECT_EQ(findings.duplicateTriangles, 12u);
+        EXPECT_EQ(findings.openEdges, 0u);
+        EXPECT_NEAR(volumeMoments(mesh).volume, 3, roundingOfVolume);
     }
 }
 
