@@ -64,6 +64,11 @@ const BodyReport& FloatScene::report(const btRigidBody& body) const {
     return m_floater == Floater::library ? m_buoyancy.report(body) : m_impulses.report(body);
 }
 
+btActionInterface& FloatScene::floater() {
+    if (m_floater == Floater::library) return m_buoyancy;
+    return m_impulses;
+}
+
 btRigidBody& FloatScene::addStatic(std::unique_ptr<btCollisionShape> shape, const Pose& pose) {
     return addBody(std::move(shape), 0, pose);
 }

@@ -62,6 +62,7 @@ public:
 
     btDiscreteDynamicsWorld& world() { return *m_world; }
     BuoyancyAction& buoyancy() { return m_buoyancy; }
+    btActionInterface& floater();
     const FlatWater& water() const { return m_water; }
 
     /// Simulated seconds.

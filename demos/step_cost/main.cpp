@@ -1,0 +1,162 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "scenes/float_scene.h"
+
+namespace bullet_buoyancy::demo {
+namespace {
+
+using namespace scenes;
+
+struct Options {
+    int bodies = 1000, steps = 300;
+    std::string csv;
+};
+
+/// One crowd of boxes and one way to step it.
+struct Case {
+    const char* bodies;
+    Vec3 size;
+    double ratio;
+    const char* scheme;
+    Floater floater;
+    StepScheme step;
+};
+
+struct Cost {
+    double nanoseconds;  // a body and step, median over the steps
+    double evaluations;  // of the water's pressure, a body and step, mean
+};
+
+/// Times an action within the world's step.
+class Stopwatch : public btActionInterface {
+public:
+    explicit Stopwatch(btActionInterface& action) : m_action(action) {}
+
+    void updateAction(btCollisionWorld* world, btScalar dt) override {
+        const auto start = std::chrono::steady_clock::now();
+        m_action.updateAction(world, dt);
+        const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
+        m_times.push_back(passed.count());
+    }
+    void debugDraw(btIDebugDraw*) override {}
+
+    /// ns; the first tenth warms up.
+    double median() {
+        const auto begin = m_times.begin() + std::ptrdiff_t(m_times.size() / 10);
+        const auto middle = begin + (m_times.end() - begin) / 2;
+        std::nth_element(begin, middle, m_times.end());
+        return *middle;
+    }
+
+private:
+    btActionInterface& m_action;
+    std::vector<double> m_times;
+};
+
+/// Apart from each other, each at another height and heel, so that nothing can be learnt by heart.
+std::vector<btRigidBody*> addCrowd(FloatScene& scene, const Case& crowd, int count) {
+    std::vector<btRigidBody*> bodies;
+    const double distance = 3 * crowd.size.norm();
+    BodyDef def;
+    def.scheme = crowd.step;
+    for (int i = 0; i < count; ++i) {
+        Pose pose;
+        pose.position = {distance * (i % 32), distance * (i / 32),
+                         crowd.size.z() * (0.5 - crowd.ratio + 0.2 * std::sin(i))};
+        pose.orientation = Eigen::AngleAxisd(0.2 * std::sin(3 * i), Vec3(std::cos(i), std::sin(i), 0));
+        bodies.push_back(&scene.addFloatingBox(crowd.size, crowd.ratio, pose, def));
+    }
+    return bodies;
+}
+
+Cost measure(const Case& crowd, const Options& options) {
+    SceneDef def;
+    def.floater = crowd.floater;
+    FloatScene scene(def);
+    const std::vector<btRigidBody*> bodies = addCrowd(scene, crowd, options.bodies);
+    Stopwatch stopwatch(scene.floater());
+    scene.world().removeAction(&scene.floater());
+    scene.world().addAction(&stopwatch);
+    double evaluations = 0;
+    for (int i = 0; i < options.steps; ++i) {
+        scene.step(1.0 / 60);
+        for (const btRigidBody* body : bodies)
+            evaluations += scene.report(*body).evaluations;
+    }
+    scene.world().removeAction(&stopwatch);
+    scene.world().addAction(&scene.floater());
+    return {stopwatch.median() / options.bodies, evaluations / options.steps / options.bodies};
+}
+
+std::vector<Case> allCases() {
+    struct Crowd {
+        const char* name;
+        Vec3 size;
+        double ratio;
+    };
+    std::vector<Case> cases;
+    for (const Crowd& crowd : {Crowd{"crates, 1 m, ratio 0.5", {1, 1, 0.5}, 0.5},
+                               Crowd{"crates, 0.3 m, ratio 0.3", {0.3, 0.3, 0.15}, 0.3},
+                               Crowd{"foam, 0.3 m, ratio 0.02", {0.3, 0.3, 0.15}, 0.02},
+                               Crowd{"foam, 0.05 m, ratio 0.001", {0.05, 0.05, 0.025}, 0.001}}) {
+        const auto add = [&](const char* scheme, Floater floater, StepScheme step) {
+            cases.push_back({crowd.name, crowd.size, crowd.ratio, scheme, floater, step});
+        };
+        add("bare impulses", Floater::impulses, StepScheme::published);
+        add("action, published step", Floater::library, StepScheme::published);
+        add("action, guarded step", Floater::library, StepScheme::guarded);
+    }
+    return cases;
+}
+
+int run(const Options& options) {
+    std::ofstream csv;
+    if (!options.csv.empty()) {
+        csv.open(options.csv);
+        csv << "bodies,scheme,ns_a_body,of_published,evaluations_a_step\n";
+    }
+    std::printf("%-28s %-24s %12s %14s %18s\n", "bodies", "scheme", "ns a body", "of published",
+                "evaluations a step");
+    const std::vector<Case> cases = allCases();
+    for (std::size_t i = 0; i < cases.size(); i += 3) {
+        Cost costs[3];
+        for (std::size_t j = 0; j < 3; ++j)
+            costs[j] = measure(cases[i + j], options);
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double share = costs[j].nanoseconds / costs[1].nanoseconds;
+            // Bare impulses need one evaluation each and do not count them.
+            const double evaluations = j == 0 ? 1 : costs[j].evaluations;
+            std::printf("%-28s %-24s %12.0f %14.2f %18.2f\n", cases[i + j].bodies, cases[i + j].scheme,
+                        costs[j].nanoseconds, share, evaluations);
+            if (csv)
+                csv << '"' << cases[i + j].bodies << "\",\"" << cases[i + j].scheme << "\","
+                    << costs[j].nanoseconds << ',' << share << ',' << evaluations << '\n';
+        }
+    }
+    if (options.csv.empty() || csv.flush()) return 0;
+    std::fprintf(stderr, "step_cost: cannot write %s\n", options.csv.c_str());
+    return 1;
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::demo
+
+int main(int argc, char** argv) {
+    bullet_buoyancy::demo::Options options;
+    CLI::App app{
+        "Times what a body costs in the action's part of a substep of 1/60 s, by itself: bare impulses as\n"
+        "most engines apply them, the published step and the guarded one in the library's action, which\n"
+        "also keeps momentum, energy, reports and sleep. Medians, one thread.",
+        "step_cost"};
+    app.option_defaults()->always_capture_default();
+    app.add_option("--bodies", options.bodies, "bodies of each kind")->check(CLI::Range(1, 100000));
+    app.add_option("--steps", options.steps, "steps of each kind")->check(CLI::Range(10, 100000));
+    app.add_option("--csv", options.csv, "write the table to this file");
+    CLI11_PARSE(app, argc, argv);
+    return bullet_buoyancy::demo::run(options);
+}
