@@ -145,17 +145,19 @@ TEST(BodyMotion, TurnedByHandGoesOnAtItsSpin) {
     }
 }
 
-/// The engine's step was another: no work of anybody's.
+/// The engine's step was another: no work of anybody's, though the load there is not what was expected.
 TEST(BodyMotion, AstrayKeepsItsMomentumAndBooksNothing) {
     Random random(9);
-    Engine engine = flying(random);
-    const Motion before = engine.motion();
+    const Spring spring(50);
+    Engine engine(randomInertia(random), spring, dt);
+    engine.start(randomMotion(random, engine.inertia));
+    const Vec3 momentum = engine.motion().momentum;
     engine.depart();
     const Pose elsewhere = fly(engine.body.departure(), engine.inertia, 1.7 * dt, Turning::byMomentum).pose;
     engine.body.arriveAstray(engine.inertia, elsewhere);
     engine.settle();
     EXPECT_EQ(engine.pose().position, elsewhere.position);
-    EXPECT_TRUE(isNear(engine.motion().momentum, before.momentum, rounding * before.momentum.norm()));
+    EXPECT_TRUE(isNear(engine.motion().momentum, momentum, rounding * momentum.norm()));
     EXPECT_EQ(engine.body.ledger().byOthers, 0);
 }
 

@@ -101,6 +101,24 @@ TEST(EnergyOfSteps, InAPitIsNoMoreThanThatOfTheStart) {
     }
 }
 
+/// From a step that takes energy on there is no more than it left, however the body moves afterwards.
+TEST(EnergyOfSteps, ThatDampIsGoneForGood) {
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        const double mass = randomPower(random, 1e-3, 1), dt = 1.0 / 60, phase = random.uniform(2, 20);
+        const Columns column({Vec3::Zero()}, mass * phase * phase / (dt * dt), gravity * mass);
+        Engine engine(ofBall(mass, 0.1), column, dt, phase * phase / (dt * dt));
+        engine.start(stillAt(0.5));
+        const double scale = engine.energy();
+        double least = scale;
+        for (int step = 0; step < 300; ++step) {
+            engine.step();
+            ASSERT_LE(engine.energy(), least + 1e-3 * scale) << phase << ' ' << step;
+            least = std::min(least, engine.energy());
+        }
+    }
+}
+
 /// What the ledger and the body differ by, J, after a second of a damped oscillation in heave and roll.
 double unaccounted(double dt) {
     Mat6 stiffness = Mat6::Zero();

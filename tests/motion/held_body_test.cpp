@@ -106,5 +106,17 @@ TEST(HeldBody, LetGoUnderWaterIsNotThrownFartherThanItsSizeAllows) {
     }
 }
 
+/// Half of the speed that the load gives along the size: the half kick's share of it.
+TEST(HeldBody, OfLittleMassIsNotPressedAsItsWholeLoadWould) {
+    for (double mass : {1e-4, 1e-3}) {
+        LightBall ball(mass, 0.05);
+        const double acceleration = 100 * 0.05 / mass - gravity;
+        ball.engine.depart();
+        const double kick = ball.engine.body.departure().velocity.z() - ball.engine.motion().velocity.z();
+        EXPECT_NEAR(kick / std::sqrt(acceleration * ball.size / 2), 1, 1e-12);
+        EXPECT_LT(kick, acceleration * dt / 2);
+    }
+}
+
 }  // namespace
 }  // namespace bullet_buoyancy::test
