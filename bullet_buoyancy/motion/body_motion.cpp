@@ -64,7 +64,7 @@ void BodyMotion::arriveBeside(const Vec3& offset) {
 void BodyMotion::arriveElsewhere(const Inertia& inertia, const Pose& pose, const Disturbance& disturbance) {
     const Motion& departure = m_flight.departure;
     m_disturbed = true;
-    m_impulse = inertia.mass * disturbance.velocityChange;
+    m_velocityChange = disturbance.velocityChange;
     m_angularImpulse = inertia.momentum(departure.pose.orientation, disturbance.spinChange);
     m_motion = departure;
     m_motion.velocity += disturbance.velocityChange;
@@ -79,27 +79,34 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
         m_load = m_flight.load;
     else
         evaluate(field);
-    noteOthers(inertia, dt);
+    noteOthers();
 
     m_kick = Kick(m_load, dt);
-    if (!m_isNew) endStep(inertia);
+    const bool owed = isHeld();  // others will take it: the body has it only when it leaves
+    if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
     account(inertia);
     if (def.scheme == StepScheme::guarded)
         limitEnergy(m_motion, inertia, m_load, {m_available, field.up(), m_isUnresolved});
     m_energy = totalEnergy(m_motion, inertia, m_load);
+
+    m_leaving = m_motion;
+    if (owed) endStep(m_leaving, inertia, shareWhileHeld(m_load, m_motion, inertia, def.size, dt));
 }
 
-void BodyMotion::spend(const Dissipation& dissipated) {
-    m_ledger.toDrag += dissipated.byDrag;
-    m_ledger.toDamping += dissipated.byDamping;
-    m_energy -= dissipated.sum();
-    m_available -= dissipated.sum();
+/// The second half of the load of a step, or a share of it.
+Dissipation BodyMotion::endStep(Motion& motion, const Inertia& inertia, double share) const {
+    return m_kick.apply(motion, inertia, share * (m_carriedForce + m_weightOfArrival * m_load.force),
+                        share * (m_carriedTorque + m_weightOfArrival * m_load.torque));
 }
 
-/// The second half of the load of a step.
-void BodyMotion::endStep(const Inertia& inertia) {
-    spend(m_kick.apply(m_motion, inertia, m_carriedForce + m_weightOfArrival * m_load.force,
-                       m_carriedTorque + m_weightOfArrival * m_load.torque));
+/// What the medium took. Of a step that is not resolved its estimate may be far more than the body has lost.
+void BodyMotion::spend(double now) {
+    const double estimate = m_dissipated.sum(), lost = std::max(0.0, m_energy - now);
+    const double share = m_isUnresolved && estimate > lost ? lost / estimate : 1;
+    m_ledger.toDrag += share * m_dissipated.byDrag;
+    m_ledger.toDamping += share * m_dissipated.byDamping;
+    m_energy -= share * estimate;
+    m_available -= share * estimate;
 }
 
 void BodyMotion::evaluate(const LoadField& field) {
@@ -107,17 +114,22 @@ void BodyMotion::evaluate(const LoadField& field) {
     ++m_evaluations;
 }
 
-/// A load that they carry in two steps running they will carry in the next.
-void BodyMotion::noteOthers(const Inertia& inertia, double dt) {
-    m_linearRelief.update(inertia.velocityChange(m_load.force), inertia.velocityChange(m_impulse) / dt);
-    m_angularRelief.update(m_load.torque, m_angularImpulse / dt);
-    m_impulse.setZero();
+/// What they take of the body's load in two steps running they will take in the next.
+void BodyMotion::noteOthers() {
+    if (!m_isNew) {
+        m_linearRelief.update(m_flight.departure.velocity - m_arrivalVelocity, m_velocityChange);
+        m_angularRelief.update(m_flight.departure.momentum - m_arrivalMomentum, m_angularImpulse);
+    }
+    m_arrivalVelocity = m_motion.velocity;
+    m_arrivalMomentum = m_motion.momentum;
+    m_velocityChange.setZero();
     m_angularImpulse.setZero();
 }
 
 /// What may be there from now on, and by whom it came.
 void BodyMotion::account(const Inertia& inertia) {
     const double now = totalEnergy(m_motion, inertia, m_load);
+    spend(now);
     if (m_isNew) {
         m_available = now;
         m_ledger = {now, 0, 0, 0};
@@ -150,13 +162,12 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_flight = flyExplicitly(inertia, def, dt);
     m_isUnresolved = m_flight.departure.spin.norm() * dt > def.turnLimit;
     if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, field, dt);
-    spend(m_flight.dissipated);
+    m_dissipated = m_flight.dissipated;
     m_disturbed = false;
 }
 
 void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& field,
                              double dt) {
-    spend({-m_flight.dissipated.byDrag, -m_flight.dissipated.byDamping});
     m_kick = Kick(m_load, dt);
     m_damps = false;
     depart(inertia, def, field, dt);
@@ -168,7 +179,7 @@ Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, 
     kick.extraTorque = angularRelief() * kick.angular.lostInTwoSteps();
     const double share = isHeld() ? shareWhileHeld(m_load, m_motion, inertia, def.size, dt) : 1;
     Flight flight;
-    flight.departure = m_motion;
+    flight.departure = m_leaving;
     flight.dissipated = kick.apply(flight.departure, inertia, share * m_load.force, share * m_load.torque);
     flight.arrival = fly(flight.departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
     return flight;
@@ -189,7 +200,7 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
     if (phase <= stillExplicit && isAllowed(explicitFlight, phase2 / 2)) return explicitFlight;
 
     m_isUnresolved = true;
-    FlightStart start{m_motion, m_load, Mat6::Zero(), def.turnLimit};
+    FlightStart start{m_leaving, m_load, Mat6::Zero(), def.turnLimit};
     field.at(m_motion.pose, &start.stiffness);
     ++m_evaluations;
     constexpr double converged = 1e-3;  // what Newton's method leaves
@@ -204,8 +215,8 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
 /// Across `up`, without turning: the load stays as it is.
 Flight BodyMotion::slideAlong(const Inertia& inertia, const LoadField& field, double dt) {
     Flight flight;
-    flight.departure = m_motion;
-    flight.departure.velocity -= field.up().dot(m_motion.velocity) * field.up();
+    flight.departure = m_leaving;
+    flight.departure.velocity -= field.up().dot(m_leaving.velocity) * field.up();
     flight.departure.setSpin(inertia, Vec3::Zero());
     flight.arrival = fly(flight.departure, inertia, dt, Turning::atSpin);
     flight.load = field.at(flight.arrival.pose);
@@ -217,7 +228,7 @@ Flight BodyMotion::slideAlong(const Inertia& inertia, const LoadField& field, do
 /// without than it began.
 bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up,
                                 double strayed) const {
-    const double moving = kineticEnergy(m_motion, inertia) - keptEnergy(m_motion, inertia, up);
+    const double moving = kineticEnergy(m_leaving, inertia) - keptEnergy(m_leaving, inertia, up);
     const double limit = m_available - keptEnergy(flight.arrival, inertia, up) + strayed * moving;
     return flight.load.potential <= std::max(limit, m_load.potential);
 }

@@ -74,10 +74,10 @@ public:
     int evaluations() const { return m_evaluations; }
 
 private:
-    void endStep(const Inertia& inertia);
+    Dissipation endStep(Motion& motion, const Inertia& inertia, double share) const;
     void evaluate(const LoadField& field);
-    void noteOthers(const Inertia& inertia, double dt);
-    void spend(const Dissipation& dissipated);
+    void noteOthers();
+    void spend(double now);
     void account(const Inertia& inertia);
     bool isHeld() const;
     bool mustLookAhead(const StepperDef& def, double dt) const;
@@ -91,6 +91,7 @@ private:
 
     Motion m_motion;
     Load m_load;
+    Motion m_leaving;                    // the motion with which the next step begins
     Kick m_kick;                         // by it
     Flight m_flight;                     // the one under way
     bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
@@ -102,12 +103,15 @@ private:
 
     // What others did on the way.
     bool m_disturbed = true;
-    Vec3 m_impulse = Vec3::Zero(), m_angularImpulse = Vec3::Zero();
+    Vec3 m_velocityChange = Vec3::Zero(), m_angularImpulse = Vec3::Zero();
+    Vec3 m_arrivalVelocity = Vec3::Zero(),
+         m_arrivalMomentum = Vec3::Zero();  // before the load of the last step
     Relief m_linearRelief, m_angularRelief;
 
     bool m_isNew = true;
-    double m_energy = 0;     // kinetic and potential at the last pose, less what was dissipated since, J
-    double m_available = 0;  // the most that it may be, J
+    Dissipation m_dissipated;  // in the step under way
+    double m_energy = 0;       // kinetic and potential at the last pose, J
+    double m_available = 0;    // the most that it may be, J
     EnergyLedger m_ledger;
     int m_evaluations = 0;
 };

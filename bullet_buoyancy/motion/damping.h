@@ -41,15 +41,16 @@ struct DampedStep {
     }
 };
 
-/// The share of a load that others take upon them, told from what they did in the last two steps: a blow
-/// lasts but one.
+/// The share of a load that others take upon them, told from what it gave the body in the last two steps and
+/// what they took of that: a blow lasts but one.
 class Relief {
 public:
     void restart() { m_last = m_beforeLast = 0; }
 
     double share() const { return std::min(m_last, m_beforeLast); }
 
-    /// `others`: what they added in the step that has passed, as a rate of change like `load`.
+    /// What the load added in the step that has passed, and what they did, as changes of a velocity or
+    /// momentum.
     void update(const Vec3& load, const Vec3& others) {
         const double square = load.squaredNorm();
         m_beforeLast = m_last;

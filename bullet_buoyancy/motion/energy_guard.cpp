@@ -47,6 +47,13 @@ void slow(Motion& motion, const Inertia& inertia, const Vec3& up, double allowed
     motion = slowed(motion, inertia, up, share);
 }
 
+/// What turning about the horizontal drives of the motion along `up` is not slowed with it.
+void slowAlong(Motion& motion, const Inertia& inertia, const Vec3& up, double surplus) {
+    const double speed = up.dot(motion.velocity), energy = inertia.mass * speed * speed / 2;
+    if (!(energy > 0)) return;
+    motion.velocity += (std::sqrt(std::max(0.0, 1 - surplus / energy)) - 1) * speed * up;
+}
+
 void slowTurning(Motion& motion, const Inertia& inertia, double allowed) {
     const double ofTranslation = inertia.mass * motion.velocity.squaredNorm() / 2;
     const double ofRotation = kineticEnergy(motion, inertia) - ofTranslation;
@@ -68,6 +75,7 @@ void limitEnergy(Motion& motion, const Inertia& inertia, const Load& load, const
     brakeAlongLoad(motion, inertia, load, before);
     if (surplus() <= negligible) return;
     slow(motion, inertia, limit.up, limit.available - load.potential);
+    if (surplus() > negligible) slowAlong(motion, inertia, limit.up, surplus());
     constexpr double strayed = 1e-4;  // of what is in motion: no sign of a turn too large
     if (limit.strict && surplus() > strayed * kineticEnergy(motion, inertia))
         slowTurning(motion, inertia, limit.available - load.potential);

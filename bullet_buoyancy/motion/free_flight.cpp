@@ -22,7 +22,7 @@ Eigen::Quaterniond turnedByMomentum(const Motion& motion, const Inertia& inertia
     const Eigen::Quaterniond& orientation = motion.pose.orientation;
     const Vec3 momentumInBody = orientation.conjugate() * motion.momentum;
     constexpr double margin = 1 - 1e-9;
-    const double expected = motion.spin.norm() * dt;
+    const double expected = motion.spin.norm() * std::abs(dt);
     constexpr double gentle = 0.02;  // rad: 1.2 rad/s at 60 Hz
     if (expected < std::min(gentle, limit))
         return (orientation * turnGently(inertia.principal, momentumInBody, dt)).normalized();

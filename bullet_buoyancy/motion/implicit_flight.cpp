@@ -176,11 +176,12 @@ private:
         return found;
     }
 
-    /// No load does more work than its potential holds: a light body under water is carried to the surface,
-    /// not as far as its load would take it if that went on.
+    /// No load does more work than its potential holds: a light body under water, where nothing yet tells
+    /// that its load will end, is carried to the surface and not as far as it would go if that went on.
     double firstShare(const Trial& start, const Vec6& direction) const {
         constexpr double margin = 1.1;
-        const double work = m_dt * loadOf(start.flight.load).dot(direction);
+        const double work = m_dt * loadOf(start.flight.load).dot(direction) -
+                            m_dt * m_dt / 2 * direction.dot(start.stiffness * direction);
         const double held = margin * start.flight.load.potential;
         return held > 0 && work > held ? held / work : 1;
     }

@@ -145,20 +145,25 @@ TEST(BodyMotion, TurnedByHandGoesOnAtItsSpin) {
     }
 }
 
-/// The engine's step was another: no work of anybody's, though the load there is not what was expected.
-TEST(BodyMotion, AstrayKeepsItsMomentumAndBooksNothing) {
+/// Told one length of a step and then another, a body moves as if it had been told the other at once.
+TEST(BodyMotion, DepartedAgainIsAsIfItHadNotDepartedBefore) {
     Random random(9);
     const Spring spring(50);
-    Engine engine(randomInertia(random), spring, dt);
-    engine.start(randomMotion(random, engine.inertia));
-    const Vec3 momentum = engine.motion().momentum;
-    engine.depart();
-    const Pose elsewhere = fly(engine.body.departure(), engine.inertia, 1.7 * dt, Turning::byMomentum).pose;
-    engine.body.arriveAstray(engine.inertia, elsewhere);
-    engine.settle();
-    EXPECT_EQ(engine.pose().position, elsewhere.position);
-    EXPECT_TRUE(isNear(engine.motion().momentum, momentum, rounding * momentum.norm()));
-    EXPECT_EQ(engine.body.ledger().byOthers, 0);
+    const Inertia inertia = randomInertia(random);
+    const Motion start = randomMotion(random, inertia);
+    Engine once(inertia, spring, 1.7 * dt), twice(inertia, spring, dt);
+    once.start(start);
+    twice.start(start);
+    twice.depart();
+    twice.dt = once.dt;
+    twice.body.departAgain(inertia, twice.def, spring, twice.dt);
+    twice.body.arrive();
+    twice.settle();
+    once.step();
+    EXPECT_EQ(once.pose().position, twice.pose().position);
+    EXPECT_EQ(once.pose().orientation.coeffs(), twice.pose().orientation.coeffs());
+    EXPECT_EQ(once.motion().velocity, twice.motion().velocity);
+    EXPECT_EQ(once.body.ledger().expected(), twice.body.ledger().expected());
 }
 
 TEST(BodyMotion, StartedAnewForgetsThePast) {
