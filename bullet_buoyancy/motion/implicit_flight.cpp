@@ -1,5 +1,6 @@
 #include "bullet_buoyancy/motion/implicit_flight.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -127,16 +128,29 @@ private:
                                        energyTolerance * std::abs(trial.flight.load.potential);
     }
 
-    /// One Newton step, shortened until the potential falls. False if it doesn't.
-    bool improve(Trial& best, const Vec6& residual) {
-        const Mat6 jacobian = Mat6::Identity() + m_dt * m_gain.asDiagonal() * m_mobility * best.stiffness;
-        Vec6 direction = -jacobian.partialPivLu().solve(residual);
-        double slope = weighed(residual).dot(direction);
-        if (!(slope < 0)) {
-            direction = -residual;
-            slope = weighed(residual).dot(direction);
+    /// One Newton step, shortened until the potential falls. Where the load pushes a body over, only with
+    /// what of the stiffness holds it. False if the potential does not fall.
+    bool improve(Trial& best, const Vec6& left) {
+        const Vec6 force = weighed(left);
+        for (const Mat6& stiffness : {best.stiffness, holdingPart(best.stiffness)}) {
+            const Mat6 jacobian = Mat6::Identity() + m_dt * m_gain.asDiagonal() * m_mobility * stiffness;
+            const Vec6 direction = -jacobian.partialPivLu().solve(left);
+            const double slope = force.dot(direction);
+            if (slope < 0) return searchLine(best, direction, slope);
         }
-        return slope < 0 && searchLine(best, direction, slope);
+        return false;
+    }
+
+    /// The nearest matrix without negative eigenvalues, with turns measured by the radius of gyration.
+    Mat6 holdingPart(const Mat6& stiffness) const {
+        const double gyration = std::sqrt(m_inertia.principal.sum() / (2 * m_inertia.mass));
+        Vec6 unit = Vec6::Ones();
+        if (gyration > 0) unit.tail<3>().setConstant(1 / gyration);
+        const Mat6 symmetric =
+            unit.asDiagonal() * (stiffness + stiffness.transpose()) * unit.asDiagonal() / 2;
+        const Eigen::SelfAdjointEigenSolver<Mat6> solver(symmetric);
+        const Mat6 back = unit.cwiseInverse().asDiagonal() * solver.eigenvectors();
+        return back * solver.eigenvalues().cwiseMax(0).asDiagonal() * back.transpose();
     }
 
     /// Along `direction`, on which the potential falls at first by `slope`, but no farther than it reaches:
@@ -159,10 +173,10 @@ private:
             const bool isPast = trialSlope > 0 || !falls;
             const bool isFlat = std::abs(trialSlope) <= negligible - sufficientFlattening * slope;
             if (falls && (isFlat || (!isPast && share == 1))) break;
-            const double width = high - low;
             if (isPast) {
                 high = share;
-                share = low - lowSlope * (share - low) / (trialSlope - lowSlope);
+                const double quarter = low + (share - low) / 4;
+                share = bracketed ? quarter : low - lowSlope * (share - low) / (trialSlope - lowSlope);
                 bracketed = true;
             } else {
                 low = share;
@@ -170,7 +184,6 @@ private:
                 share = bracketed ? (low + high) / 2 : std::min(1.0, 4 * share);
                 if (!bracketed) continue;
             }
-            if (!(high - low < width)) share = (low + high) / 2;
             share = std::clamp(share, low + 0.1 * (high - low), high - 0.1 * (high - low));
         }
         return found;

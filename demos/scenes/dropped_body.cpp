@@ -64,8 +64,9 @@ double slowestSpeed(const DropDef& def) {
 
 /// Bullet's rounding of the pose keeps a body moving, by what the water then does to it in a step, as a
 /// random walk over the time in which damping forgets, m/s. Where it is light, the turn counts most: with all
-/// that goes into one, some fifteen times the rounding of a number.
+/// that goes into one, some fifteen times the rounding of a number. The library keeps a pose of its own.
 double roundingSpeed(const DropDef& def, const BodyDef& drag) {
+    if (def.scene.floater == Floater::library) return 0;
     constexpr double turns = 20;
     const double wet = drag.scaleByWetFraction ? std::min(1.0, def.ratio) : 1;
     const double forgotten = std::min(1.0, drag.angularDamping * wet * def.stepping.dt);
