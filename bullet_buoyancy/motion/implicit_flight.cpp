@@ -131,14 +131,15 @@ private:
     /// One Newton step, shortened until the potential falls. Where the load pushes a body over, only with
     /// what of the stiffness holds it. False if the potential does not fall.
     bool improve(Trial& best, const Vec6& left) {
-        const Vec6 force = weighed(left);
-        for (const Mat6& stiffness : {best.stiffness, holdingPart(best.stiffness)}) {
-            const Mat6 jacobian = Mat6::Identity() + m_dt * m_gain.asDiagonal() * m_mobility * stiffness;
-            const Vec6 direction = -jacobian.partialPivLu().solve(left);
-            const double slope = force.dot(direction);
-            if (slope < 0) return searchLine(best, direction, slope);
-        }
-        return false;
+        Vec6 direction = newtonStep(best.stiffness, left);
+        if (!(weighed(left).dot(direction) < 0)) direction = newtonStep(holdingPart(best.stiffness), left);
+        const double slope = weighed(left).dot(direction);
+        return slope < 0 && searchLine(best, direction, slope);
+    }
+
+    Vec6 newtonStep(const Mat6& stiffness, const Vec6& left) const {
+        const Mat6 jacobian = Mat6::Identity() + m_dt * m_gain.asDiagonal() * m_mobility * stiffness;
+        return -jacobian.partialPivLu().solve(left);
     }
 
     /// The nearest matrix without negative eigenvalues, with turns measured by the radius of gyration.

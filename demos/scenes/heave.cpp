@@ -52,6 +52,7 @@ HeaveError heaveFreely(const HeaveDef& def) {
     btRigidBody& slab = scene.addFloatingBox({2, 2, 1}, ratio, pose, frictionless);
 
     std::vector<double> heights;
+    scene.step(def.stepping.dt, def.stepping.substeps);  // Bullet alone moves the slab in its first one
     while (scene.time() < seconds) {
         scene.step(def.stepping.dt, def.stepping.substeps);
         if (!isFinite(scene, slab)) return {1, 1, false};
