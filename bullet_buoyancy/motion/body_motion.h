@@ -92,7 +92,7 @@ private:
     Motion m_motion;
     Load m_load;
     Motion m_leaving;                    // the motion with which the next step begins
-    Kick m_kick;                         // by it
+    Kick m_kick;                         // by the load, for half a step
     Flight m_flight;                     // the one under way
     bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
     Vec3 m_carriedForce = Vec3::Zero();  // what the kick that ends the flight takes from its start
@@ -104,8 +104,7 @@ private:
     // What others did on the way.
     bool m_disturbed = true;
     Vec3 m_velocityChange = Vec3::Zero(), m_angularImpulse = Vec3::Zero();
-    Vec3 m_arrivalVelocity = Vec3::Zero(),
-         m_arrivalMomentum = Vec3::Zero();  // before the load of the last step
+    Vec3 m_arrivalVelocity = Vec3::Zero(), m_arrivalMomentum = Vec3::Zero();  // before `settle`
     Relief m_linearRelief, m_angularRelief;
 
     bool m_isNew = true;
