@@ -70,7 +70,7 @@ CargoResult ride(const Loading& loading, Floater floater, const Stepping& steppi
 }  // namespace
 
 CargoResult stackCratesOnRaft(Floater floater, const Stepping& stepping) {
-    return ride({{8, 8, 1}, 19200, {0.8, 0.8, 0.8}, 150, 10, 30}, floater, stepping);
+    return ride({{8, 8, 1}, 19200, {0.8, 0.8, 0.8}, 150, 10, 20}, floater, stepping);
 }
 
 CargoResult loadInflatableRaft(Floater floater, const Stepping& stepping) {
