@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/motion/energy.h"
+
 namespace bullet_buoyancy {
 
 namespace {
@@ -55,7 +57,7 @@ void slowAlong(Motion& motion, const Inertia& inertia, const Vec3& up, double su
 }
 
 void slowTurning(Motion& motion, const Inertia& inertia, double allowed) {
-    const double ofTranslation = inertia.mass * motion.velocity.squaredNorm() / 2;
+    const double ofTranslation = translationalEnergy(inertia.mass, motion.velocity);
     const double ofRotation = kineticEnergy(motion, inertia) - ofTranslation;
     const double left = ofRotation > 0 ? std::clamp((allowed - ofTranslation) / ofRotation, 0.0, 1.0) : 1;
     motion.setSpin(inertia, std::sqrt(left) * motion.spin);

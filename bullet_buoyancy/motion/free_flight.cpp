@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/motion/energy.h"
 #include "bullet_buoyancy/motion/free_rotation.h"
 
 namespace bullet_buoyancy {
@@ -64,7 +65,8 @@ void Motion::moveTo(const Inertia& inertia, const Pose& where) {
 }
 
 double kineticEnergy(const Motion& motion, const Inertia& inertia) {
-    return (inertia.mass * motion.velocity.squaredNorm() + motion.momentum.dot(motion.spin)) / 2;
+    return translationalEnergy(inertia.mass, motion.velocity) +
+           rotationalEnergy(motion.momentum, motion.spin);
 }
 
 Motion fly(const Motion& motion, const Inertia& inertia, double dt, Turning turning, double turnLimit) {

@@ -10,20 +10,6 @@ namespace bullet_buoyancy {
 /// ANGULAR_MOTION_THRESHOLD), rad.
 inline constexpr double largestTurn = pi / 4;
 
-/// How a body's spin follows from its angular momentum L, in world axes, about its centre of mass:
-/// L = R I R^T omega, with I the principal moments of inertia along the body's axes and R body to world.
-struct RotationalInertia {
-    Mat3 worldFromBody = Mat3::Identity();
-    Vec3 principal = Vec3::Ones();  ///< kg m^2, above zero
-
-    Vec3 momentum(const Vec3& spin) const {
-        return worldFromBody * principal.cwiseProduct(worldFromBody.transpose() * spin);
-    }
-    Vec3 spin(const Vec3& momentum) const {
-        return worldFromBody * (worldFromBody.transpose() * momentum).cwiseQuotient(principal);
-    }
-};
-
 /// How a body answers to impulses.
 struct Inertia {
     double mass = 1;                       ///< kg
@@ -38,6 +24,8 @@ struct Inertia {
 
     Vec3 velocityChange(const Vec3& impulse) const { return impulse.cwiseProduct(linearFactor) / mass; }
 
+    /// Angular, of a spin (rad/s), both in world axes: L = R I R^T omega, with I the principal moments and R
+    /// the orientation, body to world. kg m^2/s.
     Vec3 momentum(const Eigen::Quaterniond& orientation, const Vec3& spin) const {
         return orientation * principal.cwiseProduct(orientation.conjugate() * spin);
     }

@@ -13,8 +13,9 @@ namespace {
 
 /// Of a body that Bullet turns by itself.
 Vec3 angularMomentum(const btRigidBody& body) {
-    const RotationalInertia inertia{poseOf(body).worldFromBody(), toEigen(body.getLocalInertia())};
-    return inertia.momentum(toEigen(body.getAngularVelocity()));
+    Inertia inertia;
+    inertia.principal = toEigen(body.getLocalInertia());
+    return inertia.momentum(poseOf(body).orientation, toEigen(body.getAngularVelocity()));
 }
 
 }  // namespace

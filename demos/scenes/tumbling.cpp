@@ -15,8 +15,9 @@ namespace {
 /// step, not that of a moment; the orientation is held to a reference of its own.
 Vec3 momentumOf(const FloatScene& scene, const btRigidBody& box, const Vec3& inertia, Floater floater) {
     if (floater == Floater::library) return toEigen(scene.report(box).angularMomentum);
-    const RotationalInertia now{poseOf(box).worldFromBody(), inertia};
-    return now.momentum(toEigen(box.getAngularVelocity()));
+    Inertia ofBox;
+    ofBox.principal = inertia;
+    return ofBox.momentum(poseOf(box).orientation, toEigen(box.getAngularVelocity()));
 }
 
 double angleBetween(const Vec3& a, const Vec3& b) {
