@@ -9,10 +9,22 @@
 
 namespace bullet_buoyancy {
 
+/// How pressure grows from the surface of waves down.
+enum class PressureModel {
+    hydrostatic,  ///< by rho g a metre, under the instantaneous surface
+    waveDynamic,  ///< that of the undisturbed waves (Froude-Krylov): their part decays with depth
+};
+
 /// What to evaluate. The extras cost only where asked for.
 struct HydrostaticQuery {
     double gravity = standardGravity;  ///< along the water frame's down, m/s^2
     double time = 0;                   ///< s, for water that moves
+    PressureModel pressure = PressureModel::hydrostatic;
+
+    /// Error of the force that waves may cause, over the weight of water that the whole hull displaces. 0: the
+    /// surface is sampled at every vertex of the mesh, and taken for linear in between. Flat water is exact.
+    double tolerance = 1e-3;
+
     bool wettedArea = false;
     bool waterplane = false;
     bool stiffness = false;
@@ -33,6 +45,8 @@ struct HydrostaticResult {
     double submergedVolume = 0;                   ///< displacement, m^3
     Vec3 centreOfBuoyancyFromCom = Vec3::Zero();  ///< world axes, m; zero where nothing is displaced
     double potentialEnergy = 0;  ///< rho g times the integral of depth over the displacement, J
+    double forceErrorBound = 0;  ///< the force is no farther than this from that of the true surface, N
+    int waterSamples = 0;        ///< points at which the water was asked for its surface or head
     double wettedArea = 0;       ///< m^2, if asked for
     Waterplane waterplane;       ///< if asked for
 

@@ -11,6 +11,7 @@ FlatWater::FlatWater(const WaterFrame& frame, const FlatWaterDef& def)
 
 WaterBounds FlatWater::bounds() const {
     WaterBounds bounds;
+    bounds.curvatureChange = 0;
     bounds.still = m_flowVelocity.isZero(0);
     return bounds;
 }

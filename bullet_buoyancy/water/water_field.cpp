@@ -9,4 +9,21 @@ WaterField::WaterField(const WaterFrame& frame, double density) : m_frame(frame)
     assert(std::isfinite(density) && density > 0);
 }
 
+void WaterField::expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const {
+    sampleSurface(points, time, expansions.leftCols<3>());
+    expansions.rightCols<3>().setZero();
+}
+
+void WaterField::expandWaveHead(WaterPoints points, double time, HeadExpansions expansions) const {
+    expandSurface(points.leftCols<2>(), time, expansions.leftCols<6>());
+    for (Eigen::Index column = 6; column > 3; --column)
+        expansions.col(column) = expansions.col(column - 1);
+    expansions.col(3).setZero();
+    expansions.rightCols<3>().setZero();
+}
+
+double WaterField::headCurvatureChange(double) const {
+    return bounds().curvatureChange;
+}
+
 }  // namespace bullet_buoyancy

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "bullet_buoyancy/water/water_frame.h"
 
 namespace bullet_buoyancy {
@@ -9,12 +11,21 @@ struct WaterBounds {
     double elevation = 0;  ///< largest height of the surface above or below the frame's z = 0, m
     double slope = 0;      ///< largest slope of the surface, m/m
     double curvature = 0;  ///< largest second derivative of the elevation along any horizontal direction, 1/m
-    bool still = true;     ///< no water moves: bodies at rest may sleep
+    /// Largest third derivative of the elevation along any horizontal direction, 1/m^2; infinite where it is
+    /// not known or the curvature jumps.
+    double curvatureChange = std::numeric_limits<double>::infinity();
+    bool still = true;  ///< no water moves: bodies at rest may sleep
+
+    bool isFlat() const { return slope == 0 && curvature == 0; }
 };
 
 /// Batches, structure of arrays: one row a point, one contiguous column a coordinate, in the water's frame.
 using HorizontalPoints = Eigen::Ref<const Eigen::ArrayX2d>;  ///< x, y in m
-using SurfaceSamples = Eigen::Ref<Eigen::ArrayX3d>;     ///< elevation in m, its slopes along x and y in m/m
+using SurfaceSamples = Eigen::Ref<Eigen::ArrayX3d>;  ///< elevation in m, its slopes along x and y in m/m
+/// Elevation in m, slopes along x and y, second derivatives along xx, xy, yy in 1/m.
+using SurfaceExpansions = Eigen::Ref<Eigen::Array<double, Eigen::Dynamic, 6>>;
+/// Head in m, its first derivatives along x, y, s, its second ones along xx, xy, yy, xs, ys, ss in 1/m.
+using HeadExpansions = Eigen::Ref<Eigen::Array<double, Eigen::Dynamic, 10>>;
 using WaterPoints = Eigen::Ref<const Eigen::ArrayX3d>;  ///< x, y, z in m
 using WaterVelocities = Eigen::Ref<Eigen::ArrayX3d>;    ///< velocity along x, y, z in m/s
 
@@ -35,6 +46,19 @@ public:
 
     /// Surface elevation and slopes at `points` at `time` (s). Both batches have the same number of rows.
     virtual void sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const = 0;
+
+    /// The same with second derivatives. Asked for only where `bounds().curvatureChange` is finite; a field
+    /// that cannot tell need not override it.
+    virtual void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const;
+
+    /// What the waves add to the head of water at rest (pressure over density and gravity) at points x, y and
+    /// s, the height above the instantaneous surface (below zero under water; Wheeler 1970): the elevation at
+    /// s = 0, less of it farther down. By default the elevation all the way down: hydrostatic pressure.
+    virtual void expandWaveHead(WaterPoints points, double time, HeadExpansions expansions) const;
+
+    /// Upper bound of the third derivative of the head along any direction in space, up to the height `above`
+    /// (m) over the surface, 1/m^2.
+    virtual double headCurvatureChange(double above) const;
 
     /// Velocity of the water at `points` at `time` (s); above the surface, that of the water below it.
     virtual void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const = 0;

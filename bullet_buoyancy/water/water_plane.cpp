@@ -6,7 +6,7 @@
 namespace bullet_buoyancy {
 
 WaterPlane waterPlaneInBody(const WaterField& water, const Pose& pose, double time) {
-    assert(water.bounds().slope == 0 && water.bounds().curvature == 0);
+    assert(water.bounds().isFlat());
     const Vec3 position = water.frame().pointFromWorld(pose.position);
     std::array<double, 3> sample{};
     water.sampleSurface(Eigen::Map<const Eigen::ArrayX2d>(position.data(), 1, 2), time,

@@ -15,7 +15,7 @@ struct WaterPlane {
     double depth(const Vec3& pointInBody) const { return heightOfWater - upInBody.dot(pointInBody); }
 };
 
-/// The plane of water whose surface does not slope or bend (`bounds().slope` and `.curvature` are 0:
+/// The plane of water whose surface does not slope or bend (`bounds().isFlat()`:
 /// asserted), seen from a body. One sample, at the centre of mass.
 WaterPlane waterPlaneInBody(const WaterField& water, const Pose& pose, double time);
 
