@@ -98,8 +98,8 @@ void noteOverlapsOfParts(const std::vector<HullPart>& parts, HullStatus& status)
     note(findOverlaps(meshes, meshes.size() * meshes.size()), status);
 }
 
-/// Centred in the bounding box.
-Sphere boundingSphere(const Hull& hull) {
+/// Box and sphere about the same centre.
+void bound(Hull& hull) {
     Eigen::AlignedBox3d box;
     const auto extend = [&](const Vec3& centre, double radius) {
         box.extend(centre - Vec3::Constant(radius));
@@ -120,7 +120,9 @@ Sphere boundingSphere(const Hull& hull) {
                 {solid.origin + middle * solid.axis, std::hypot(std::sqrt(widest), piece.end - middle)});
             extend(ends.back().centre, ends.back().radius);
         }
-    Sphere bounds{box.center(), 0};
+    hull.halfExtents = box.sizes() / 2;
+    Sphere& bounds = hull.bounds;
+    bounds = {box.center(), 0};
     const auto reach = [&](const Vec3& centre, double radius) {
         bounds.radius = std::max(bounds.radius, (centre - bounds.centre).norm() + radius);
     };
@@ -130,7 +132,6 @@ Sphere boundingSphere(const Hull& hull) {
         reach(sphere.centre, sphere.radius);
     for (const Sphere& end : ends)
         reach(end.centre, end.radius);
-    return bounds;
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ HullResult makeHull(std::vector<HullPart> parts) {
     if (!status.accepted()) return {nullptr, status};
     noteOverlapsOfParts(parts, status);
     hull->meshIsClosed = status.openEdges == 0;
-    hull->bounds = boundingSphere(*hull);
+    bound(*hull);
     return {hull, status};
 }
 

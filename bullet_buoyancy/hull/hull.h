@@ -25,6 +25,8 @@ struct Hull {
     SurfaceMoments
         surface;    ///< of everything, curved parts roughly: to estimate from above, not to integrate
     Sphere bounds;  ///< encloses everything
+    Vec3 halfExtents =
+        Vec3::Zero();  ///< of the box along the body's axes that encloses everything, about the same centre
 };
 
 using HullPart = std::variant<TriangleMesh, Sphere, SolidOfRevolution>;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/core/quadrature.h"
 
 namespace bullet_buoyancy {
 
@@ -56,15 +57,23 @@ SolidOfRevolution asSolidOfRevolution(const Sphere& sphere) {
 }
 
 VolumeMoments volumeMoments(const SolidOfRevolution& solid) {
+    static const GaussLegendre<3> rule;  // exact for the second moments, of fourth degree along the axis
+    const Mat3 along = solid.axis * solid.axis.transpose(), across = Mat3::Identity() - along;
     VolumeMoments moments;
     double axialMoment = 0;
     for (const ProfilePiece& piece : solid.profile) {
         const RadiusMoments integrals = radiusMoments(piece, piece.begin, piece.end);
         moments.volume += pi * integrals.zeroth;
         axialMoment += pi * integrals.first;
+        const double middle = (piece.begin + piece.end) / 2, half = (piece.end - piece.begin) / 2;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const double x = middle + half * rule.nodes[i], radius2 = piece.radiusSquared(x);
+            moments.secondMoment +=
+                half * rule.weights[i] * pi * radius2 * (x * x * along + radius2 / 4 * across);
+        }
     }
-    moments.firstMoment = moments.volume * solid.origin + axialMoment * solid.axis;
-    return moments;
+    moments.firstMoment = axialMoment * solid.axis;
+    return moved(moments, solid.origin);
 }
 
 double surfaceArea(const SolidOfRevolution& solid) {

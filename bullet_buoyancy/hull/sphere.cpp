@@ -8,7 +8,8 @@ namespace bullet_buoyancy {
 
 VolumeMoments volumeMoments(const Sphere& sphere) {
     const double volume = 4 * pi / 3 * std::pow(sphere.radius, 3);
-    return {volume, volume * sphere.centre};
+    const double secondMoment = volume * sphere.radius * sphere.radius / 5;
+    return moved({volume, Vec3::Zero(), secondMoment * Mat3::Identity()}, sphere.centre);
 }
 
 double surfaceArea(const Sphere& sphere) {

@@ -17,10 +17,19 @@ VolumeMoments volumeMoments(const TriangleMesh& mesh) {
         const Vec3 c = mesh.vertices[triangle[2]] - apex;
         const double tetrahedron = a.dot(b.cross(c)) / 6;
         moments.volume += tetrahedron;
-        moments.firstMoment += tetrahedron * (a + b + c) / 4;
+        const Vec3 sum = a + b + c;
+        moments.firstMoment += tetrahedron * sum / 4;
+        moments.secondMoment +=
+            tetrahedron / 20 *
+            (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     }
-    moments.firstMoment += moments.volume * apex;
-    return moments;
+    return moved(moments, apex);
+}
+
+VolumeMoments moved(const VolumeMoments& moments, const Vec3& offset) {
+    const Mat3 cross = moments.firstMoment * offset.transpose();
+    return {moments.volume, moments.firstMoment + moments.volume * offset,
+            moments.secondMoment + cross + cross.transpose() + moments.volume * offset * offset.transpose()};
 }
 
 double surfaceArea(const TriangleMesh& mesh) {

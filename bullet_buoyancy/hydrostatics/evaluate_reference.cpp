@@ -17,7 +17,7 @@ HydrostaticResult evaluateReference(const Hull& hull, const Pose& pose, const Wa
         addReferenceSurface(asSolidOfRevolution(sphere), plane, integrals);
     for (const SolidOfRevolution& solid : hull.solids)
         addReferenceSurface(solid, plane, integrals);
-    return toResult(integrals, pose, water, query);
+    return toResult(integrals, pose, water, query, plane.upInBody);
 }
 
 }  // namespace bullet_buoyancy

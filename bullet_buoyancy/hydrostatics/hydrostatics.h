@@ -5,15 +5,10 @@
 #include "bullet_buoyancy/core/constants.h"
 #include "bullet_buoyancy/core/pose.h"
 #include "bullet_buoyancy/hull/hull.h"
+#include "bullet_buoyancy/water/pressure_model.h"
 #include "bullet_buoyancy/water/water_field.h"
 
 namespace bullet_buoyancy {
-
-/// How pressure grows from the surface of waves down.
-enum class PressureModel {
-    hydrostatic,  ///< by rho g a metre, under the instantaneous surface
-    waveDynamic,  ///< that of the undisturbed waves (Froude-Krylov): their part decays with depth
-};
 
 /// What to evaluate. The extras cost only where asked for.
 struct HydrostaticQuery {
@@ -21,8 +16,9 @@ struct HydrostaticQuery {
     double time = 0;                   ///< s, for water that moves
     PressureModel pressure = PressureModel::hydrostatic;
 
-    /// Error of the force that waves may cause, over the weight of water that the whole hull displaces. 0: the
-    /// surface is sampled at every vertex of the mesh, and taken for linear in between. Flat water is exact.
+    /// Error of the force that waves may cause, over the weight of water that the whole hull displaces. 0:
+    /// the surface is sampled at every vertex of the mesh, and taken for linear in between. Flat water is
+    /// exact.
     double tolerance = 1e-3;
 
     bool wettedArea = false;

@@ -22,11 +22,11 @@ void addElement(const Vec3& position, double depth, const Vec3& areaVector, cons
                 WetIntegrals& sums) {
     const double areaUp = areaVector.dot(up);
     const Vec3 shadow = position + depth * up;
-    sums.depthNormal += depth * areaVector;
-    sums.depthTorque += depth * position.cross(areaVector);
+    sums.headNormal += depth * areaVector;
+    sums.headTorque += depth * position.cross(areaVector);
     sums.volume -= depth * areaUp;
     sums.volumeMoment -= areaUp * depth * (position + depth / 2 * up);
-    sums.depthVolume -= depth * depth / 2 * areaUp;
+    sums.headVolume -= depth * depth / 2 * areaUp;
     sums.wettedArea += areaVector.norm();
     sums.waterplane.area -= areaUp;
     sums.waterplane.firstMoment -= areaUp * shadow;

@@ -79,15 +79,6 @@ void addSector(const std::array<Vec3, 2>& segment, const Vec3& outward, const Ve
                             area / 12 * (da * da.transpose() + dp * dp.transpose() + dq * dq.transpose()));
 }
 
-/// Share of a triangle's area that lies under water, from the depths alone.
-double wetShare(std::array<double, 3> depth) {
-    std::sort(depth.begin(), depth.end());
-    if (depth[0] >= 0) return 1;
-    if (depth[2] <= 0) return 0;
-    if (depth[1] <= 0) return depth[2] * depth[2] / ((depth[2] - depth[1]) * (depth[2] - depth[0]));
-    return 1 - depth[0] * depth[0] / ((depth[1] - depth[0]) * (depth[2] - depth[0]));
-}
-
 }  // namespace
 
 void addReferenceVolume(const TriangleMesh& mesh, const WaterPlane& plane, WetIntegrals& integrals) {
@@ -106,7 +97,7 @@ void addReferenceVolume(const TriangleMesh& mesh, const WaterPlane& plane, WetIn
             (triangle[1].position - triangle[0].position).cross(triangle[2].position - triangle[0].position) /
             2;
         integrals.wettedArea +=
-            areaVector.norm() * wetShare({triangle[0].depth, triangle[1].depth, triangle[2].depth});
+            areaVector.norm() * wetShare(triangle[0].depth, triangle[1].depth, triangle[2].depth);
         if (const auto segment = waterlineSegment(triangle))
             addSector(*segment, areaVector, apexOnSurface, plane.upInBody, integrals);
     }

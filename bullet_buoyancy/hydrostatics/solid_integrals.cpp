@@ -2,44 +2,19 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bullet_buoyancy/core/quadrature.h"
+#include "bullet_buoyancy/hydrostatics/solid_sections.h"
 
 namespace bullet_buoyancy {
 
 namespace {
 
-/// A solid's axis seen from the water. Axial coordinates x count from `origin`; within a section, s runs
-/// along `rising`, the direction in the section in which depth falls fastest: depth(x, s) = depthAtOrigin -
-/// upAlong x
-/// - upAcross s.
-struct AxisInWater {
-    Vec3 origin, axis, rising;
-    double upAlong;
-    double upAcross;  // >= 0
-    double depthAtOrigin;
-
-    double depth(double x) const { return depthAtOrigin - upAlong * x; }
-};
-
 /// Sums over the solid in axial coordinates: integrals over the displaced volume of 1, x, s and depth.
 struct AxialSums {
     double volume = 0, xMoment = 0, sMoment = 0, depthVolume = 0;
 };
-
-AxisInWater axisInWater(const SolidOfRevolution& solid, const WaterPlane& plane) {
-    AxisInWater view;
-    view.origin = solid.origin;
-    view.axis = solid.axis;
-    view.upAlong = plane.upInBody.dot(solid.axis);
-    const Vec3 across = plane.upInBody - view.upAlong * solid.axis;
-    view.upAcross = across.norm();
-    view.rising = view.upAcross > 0 ? Vec3(across / view.upAcross) : solid.axis.unitOrthogonal();
-    view.depthAtOrigin = plane.depth(solid.origin);
-    return view;
-}
 
 /// Moves the origin to where a steep axis crosses the surface: the depth there is exactly 0, and no digits
 /// cancel between the depth and the nearly upright section.
@@ -54,23 +29,6 @@ double shiftToSurface(AxisInWater& view) {
 ProfilePiece shifted(const ProfilePiece& piece, double shift) {
     return {piece.begin - shift, piece.end - shift, piece.radiusSquared(shift),
             piece.c1 + 2 * shift * piece.c2, piece.c2};
-}
-
-/// Ends of the stretches of a piece in which sections are wholly dry, wholly wet or cut: its own ends and,
-/// between them, the roots of upAcross^2 radius^2 - depth^2.
-std::array<double, 4> stretchEnds(const ProfilePiece& piece, const AxisInWater& view) {
-    const double across2 = view.upAcross * view.upAcross;
-    const double p0 = across2 * piece.c0 - view.depthAtOrigin * view.depthAtOrigin;
-    const double p1 = across2 * piece.c1 + 2 * view.depthAtOrigin * view.upAlong;
-    const double p2 = across2 * piece.c2 - view.upAlong * view.upAlong;
-    const double discriminant = std::max(0.0, p1 * p1 - 4 * p0 * p2);
-    const double q = -(p1 + std::copysign(std::sqrt(discriminant), p1)) / 2;
-    const auto within = [&](double x) {
-        return std::isfinite(x) ? std::clamp(x, piece.begin, piece.end) : piece.begin;
-    };
-    double root1 = within(q / p2), root2 = within(p0 / q);
-    if (q == 0) root1 = root2 = within(0);
-    return {piece.begin, std::min(root1, root2), std::max(root1, root2), piece.end};
 }
 
 void addWholeSections(const ProfilePiece& piece, const AxisInWater& view, double begin, double end,

@@ -5,22 +5,24 @@
 namespace bullet_buoyancy {
 
 HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, const WaterField& water,
-                           const HydrostaticQuery& query) {
+                           const HydrostaticQuery& query, const Vec3& pushesInBody) {
     const Mat3 rotation = pose.worldFromBody();
     const double weightDensity = water.density() * query.gravity;
     HydrostaticResult result;
-    result.forceWorld = -weightDensity * (rotation * integrals.depthNormal);
-    result.torqueAboutCom = -weightDensity * (rotation * integrals.depthTorque);
+    result.forceWorld = -weightDensity * (rotation * integrals.headNormal);
+    result.torqueAboutCom = -weightDensity * (rotation * integrals.headTorque);
     result.submergedVolume = integrals.volume;
     if (integrals.volume != 0)
         result.centreOfBuoyancyFromCom = rotation * (integrals.volumeMoment / integrals.volume);
-    result.potentialEnergy = weightDensity * integrals.depthVolume;
+    result.potentialEnergy = weightDensity * integrals.headVolume;
+    result.forceErrorBound = weightDensity * integrals.error.norm();
+    result.waterSamples = integrals.samples;
     result.wettedArea = integrals.wettedArea;
     result.waterplane.area = integrals.waterplane.area;
     result.waterplane.firstMoment = rotation * integrals.waterplane.firstMoment;
     result.waterplane.secondMoment = rotation * integrals.waterplane.secondMoment * rotation.transpose();
     if (query.stiffness)
-        result.stiffness = hydrostaticStiffness(result, water.frame().upWorld(), weightDensity);
+        result.stiffness = hydrostaticStiffness(result, rotation * pushesInBody, weightDensity);
     return result;
 }
 

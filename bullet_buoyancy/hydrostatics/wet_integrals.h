@@ -6,24 +6,27 @@
 namespace bullet_buoyancy {
 
 /// Integrals over the wet surface and over the displaced volume, in the body's frame about its origin, before
-/// density and gravity. n is the outward normal, d the depth.
+/// density and gravity. n is the outward normal, d the depth, h the head: d, but for waves whose pressure
+/// decays.
 struct WetIntegrals {
-    Vec3 depthNormal = Vec3::Zero();   ///< of d n over the surface, m^3
-    Vec3 depthTorque = Vec3::Zero();   ///< of x cross d n over the surface, m^4
+    Vec3 headNormal = Vec3::Zero();    ///< of h n over the surface, m^3
+    Vec3 headTorque = Vec3::Zero();    ///< of x cross h n over the surface, m^4
     double volume = 0;                 ///< m^3
     Vec3 volumeMoment = Vec3::Zero();  ///< of x over the volume, m^4
-    double depthVolume = 0;            ///< of d over the volume, m^4
+    double headVolume = 0;             ///< of h over the volume, m^4
     double wettedArea = 0;             ///< m^2
     Waterplane waterplane;             ///< about the body's origin, in its axes
+    Vec3 error = Vec3::Zero();         ///< upper bound of that of `headNormal`, by component, m^3
+    int samples = 0;                   ///< of the water
 
     /// A closed piece of the displacement: by Archimedes its pressure acts upward through its centre.
     void addDisplacement(const Vec3& up, double pieceVolume, const Vec3& pieceMoment,
-                         double pieceDepthVolume) {
-        depthNormal -= pieceVolume * up;
-        depthTorque -= pieceMoment.cross(up);
+                         double pieceHeadVolume) {
+        headNormal -= pieceVolume * up;
+        headTorque -= pieceMoment.cross(up);
         volume += pieceVolume;
         volumeMoment += pieceMoment;
-        depthVolume += pieceDepthVolume;
+        headVolume += pieceHeadVolume;
     }
 
     /// A piece of the waterplane of given area, centre and second moment about that centre.
@@ -35,9 +38,9 @@ struct WetIntegrals {
 };
 
 /// From the body's frame to the world's axes, with the water's density and the query's gravity; adds the
-/// stiffness if it is asked for.
+/// stiffness if it is asked for. `pushesInBody`: minus the gradient of the head, the vertical in flat water.
 HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, const WaterField& water,
-                           const HydrostaticQuery& query);
+                           const HydrostaticQuery& query, const Vec3& pushesInBody);
 
 /// The query with all that what it asks for is made from.
 HydrostaticQuery withPrerequisites(HydrostaticQuery query);

@@ -1,0 +1,135 @@
+#include "bullet_buoyancy/hydrostatics/in_waves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
+#include "bullet_buoyancy/hydrostatics/solid_in_waves.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What expansions may be off by at their farthest, over their mean over a hull's surface that is half wet:
+/// an estimate to begin with.
+constexpr double meanErrorOverLargest = 0.2;
+
+/// For solids where the mesh's tolerance is none.
+constexpr double smallestTolerance = 1e-6;
+
+class HullInWaves {
+public:
+    HullInWaves(const Hull& hull, const WaterView& water, const HydrostaticQuery& query)
+        : m_hull(hull), m_water(water), m_query(query), m_up(water.upInBody()) {
+        const double level = water.field.frame().pointFromWorld(water.pose.position).z();
+        const double height = level + m_up.dot(hull.bounds.centre);  // of the hull's middle
+        m_isDry = height - hull.bounds.radius >= water.bounds.elevation;
+        m_isUnder = hull.meshIsClosed && height + hull.bounds.radius <= -water.bounds.elevation;
+        const double above = std::min(height + water.bounds.elevation, 0.0) + hull.bounds.radius;
+        m_error = expansionError(water, std::max(0.0, above));
+        m_tolerance = std::max(query.tolerance, smallestTolerance) * hull.moments.volume;
+    }
+
+    Vec3 add(WetIntegrals& integrals) {
+        if (m_isDry) return m_up;
+        if (m_isUnder && addUnder(integrals)) return m_pushes;
+        if (m_query.tolerance > 0 || m_hull.mesh.triangles.empty())
+            addWithin(integrals);
+        else
+            addByCorners(integrals);
+        return m_pushes;
+    }
+
+private:
+    BodyBox box() const { return {m_hull.bounds.centre, m_hull.halfExtents}; }
+    double allowedHeadError() const { return m_tolerance / m_hull.surfaceArea; }
+
+    /// By the divergence theorem, with the water to second order about the middle of the displacement. False
+    /// if that is not enough.
+    bool addUnder(WetIntegrals& integrals) {
+        const VolumeMoments& all = m_hull.moments;
+        const Vec3 centre = all.centroid();
+        const Mat3 spread = moved(all, -centre).secondMoment;
+        // Of the gradient: coefficient power distance^(power - 1).
+        const double distance2 = spread.trace() - (m_error.horizontal ? m_up.dot(spread * m_up) : 0);
+        const double error = m_error.power == 3 ? 3 * m_error.coefficient * distance2
+                                                : 2 * m_error.coefficient * std::sqrt(all.volume * distance2);
+        if (error > m_tolerance) return false;
+        const WaterPatch patch(m_water, {centre, Vec3::Zero()}, m_error, infinity);
+        note(patch, integrals);
+        const Quadratic& head = patch.near(centre).head;
+        const Vec3 force = all.volume * head.gradient;
+        integrals.headNormal += force;
+        integrals.headTorque += centre.cross(force) + crossOf(spread * head.bend);
+        integrals.volume += all.volume;
+        integrals.volumeMoment += all.firstMoment;
+        integrals.headVolume += all.volume * head.value + (spread * head.bend).trace() / 2;
+        integrals.wettedArea += m_query.wettedArea ? m_hull.surfaceArea : 0;
+        integrals.error += Vec3::Constant(error / std::sqrt(3.0));
+        return true;
+    }
+
+    /// The integral of r x (bend r), from that of r r^T times the bend.
+    static Vec3 crossOf(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
+
+    /// Until the bound is within the tolerance, or the patch as fine as it may be.
+    void addWithin(WetIntegrals& integrals) {
+        double reach = m_error.reach(0.7 * allowedHeadError() / meanErrorOverLargest);
+        constexpr int mostAttempts = 4;
+        for (int attempt = 1;; ++attempt) {
+            WetIntegrals now = integrals;
+            const WaterPatch patch(m_water, box(), m_error, reach);
+            note(patch, now);
+            addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
+            addSolids(patch, allowedHeadError(), now);
+            const double excess = now.error.norm() / m_tolerance;
+            integrals.samples = now.samples;
+            if (excess <= 1 || attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2) {
+                integrals = now;
+                return;
+            }
+            reach = std::min(reach, patch.cell().norm() / 2) / (1.2 * std::pow(excess, 1.0 / m_error.power));
+        }
+    }
+
+    void addByCorners(WetIntegrals& integrals) {
+        integrals.samples += addMeshByCorners(m_hull.mesh, m_water, m_query, integrals);
+        const WaterPatch patch(m_water, box(), m_error,
+                               m_error.reach(allowedHeadError() / meanErrorOverLargest));
+        note(patch, integrals);
+        addSolids(patch, allowedHeadError(), integrals);
+    }
+
+    void addSolids(const WaterPatch& patch, double headError, WetIntegrals& integrals) const {
+        for (const Sphere& sphere : m_hull.spheres)
+            addSphereInWaves(sphere, patch, m_query, integrals);
+        for (const SolidOfRevolution& solid : m_hull.solids)
+            addSolidInWaves(solid, patch, headError, m_query, integrals);
+    }
+
+    void note(const WaterPatch& patch, WetIntegrals& integrals) {
+        integrals.samples += patch.cellCount();
+        m_pushes = -patch.near(m_hull.bounds.centre).head.gradient;
+    }
+
+    const Hull& m_hull;
+    const WaterView& m_water;
+    const HydrostaticQuery& m_query;
+    Vec3 m_up;
+    bool m_isDry, m_isUnder;
+    ExpansionError m_error;
+    double m_tolerance;  // of the force over density and gravity, m^3
+    Vec3 m_pushes;
+};
+
+}  // namespace
+
+Vec3 addHullInWaves(const Hull& hull, const Pose& pose, const WaterField& water,
+                    const HydrostaticQuery& query, WetIntegrals& integrals) {
+    const WaterView view{water, water.bounds(), pose, query.time, query.pressure};
+    return HullInWaves(hull, view, query).add(integrals);
+}
+
+}  // namespace bullet_buoyancy

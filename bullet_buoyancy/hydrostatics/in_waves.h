@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bullet_buoyancy/hydrostatics/wet_integrals.h"
+
+namespace bullet_buoyancy {
+
+/// Adds what water with waves does to a hull, with the bound of the error that the waves cause and the number
+/// of samples: see `evaluateExact`. Returns minus the gradient of the head at the hull, in its frame: where
+/// the pressure pushes, as `up` does in flat water.
+Vec3 addHullInWaves(const Hull& hull, const Pose& pose, const WaterField& water,
+                    const HydrostaticQuery& query, WetIntegrals& integrals);
+
+}  // namespace bullet_buoyancy

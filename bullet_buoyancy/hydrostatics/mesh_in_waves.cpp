@@ -1,0 +1,229 @@
+#include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
+
+#include <array>
+#include <cmath>
+
+#include "bullet_buoyancy/hydrostatics/wet_triangle.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+using Corners = std::array<HeadPoint, 3>;
+
+Vec3 areaVectorOf(const Corners& p) {
+    return (p[1].position - p[0].position).cross(p[2].position - p[0].position) / 2;
+}
+
+double wetShareBelow(const Corners& p, double level) {
+    return wetShare(p[0].depth + level, p[1].depth + level, p[2].depth + level);
+}
+
+/// Mean error of the head over a triangle by misplacing its waterline, where depths are off by up to
+/// `strayed`: within the band in which they may have the other sign, up to that.
+double waterlineError(const Corners& p, double strayed) {
+    return strayed * (wetShareBelow(p, strayed) - wetShareBelow(p, -strayed));
+}
+
+/// Second differences of a quadratic along the sides of a triangle. Between the corners it strays from the
+/// linear by -1/2 sum l_i l_j b_ij in barycentric coordinates l: by a sixth of the largest at most, by a 24th
+/// of their sum on average.
+struct Bubble {
+    double largest, mean;
+
+    Bubble(const Corners& p, const Mat3& bend) {
+        const Vec3 u = p[1].position - p[0].position, v = p[2].position - p[1].position, w = -u - v;
+        const double a = std::abs(u.dot(bend * u)), b = std::abs(v.dot(bend * v)),
+                     c = std::abs(w.dot(bend * w));
+        largest = std::max({a, b, c}) / 6;
+        mean = (a + b + c) / 24;
+    }
+};
+
+/// What a quadratic adds to the linear function with the same values at the ends of an edge.
+struct Excess {
+    double depth, head;
+
+    Excess(const WaterExpansion& water, const HeadPoint& p)
+        : depth(water.depthAt(p.position) - p.depth), head(water.headAt(p.position) - p.head) {}
+};
+
+HeadPoint middle(const HeadPoint& p, const HeadPoint& q) {
+    return {(p.position + q.position) / 2, (p.depth + q.depth) / 2, (p.head + q.head) / 2};
+}
+
+/// Mean of f r over a triangle, f quadratic: from its values at corners and middles of sides by the mass
+/// matrix of quadratic with linear shape functions.
+Vec3 quadraticMoment(const Corners& p, const std::array<double, 3>& at, const std::array<double, 3>& across) {
+    Vec3 moment = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const double weight =
+            at[i] / 30 - (at[j] + at[k]) / 60 + across[i] / 15 + 2 * (across[j] + across[k]) / 15;
+        moment += weight * p[i].position;
+    }
+    return moment;
+}
+
+/// What the water's bend adds to a wet triangle over which depth and head were taken for linear.
+void addBend(const Corners& p, const WaterExpansion& water, const Vec3& up, WetIntegrals& integrals) {
+    const Vec3 areaVector = areaVectorOf(p);
+    const double areaUp = areaVector.dot(up);
+    std::array<double, 3> depthAt, headAt, depthAcross, headAcross;
+    double depth = 0, head = 0, depthSquared = 0, depthTimesHead = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Excess corner(water, p[i]);
+        const HeadPoint m = middle(p[(i + 1) % 3], p[(i + 2) % 3]);
+        const Excess opposite(water, m);
+        depthAt[i] = corner.depth;
+        headAt[i] = corner.head;
+        depthAcross[i] = opposite.depth;
+        headAcross[i] = opposite.head;
+        depth += opposite.depth / 3;
+        head += opposite.head / 3;
+        depthSquared += opposite.depth * (2 * m.depth + opposite.depth) / 3;
+        depthTimesHead += ((m.depth + opposite.depth) * (m.head + opposite.head) - m.depth * m.head) / 3;
+    }
+    integrals.headNormal += head * areaVector;
+    integrals.headTorque += quadraticMoment(p, headAt, headAcross).cross(areaVector);
+    integrals.volume -= depth * areaUp;
+    integrals.volumeMoment -= areaUp * (quadraticMoment(p, depthAt, depthAcross) + depthSquared / 2 * up);
+    integrals.headVolume -= depthTimesHead / 2 * areaUp;
+}
+
+class TrianglesInWaves {
+public:
+    TrianglesInWaves(const WaterPatch& water, double headError, const HydrostaticQuery& query,
+                     WetIntegrals& integrals)
+        : m_water(water), m_headError(headError), m_query(query), m_integrals(integrals) {}
+
+    void add(const Vec3& a, const Vec3& b, const Vec3& c, int quarterings = 0) {
+        const WaterExpansion& water = m_water.near((a + b + c) / 3);
+        const auto corner = [&](const Vec3& p) {
+            const double depth = water.depthAt(p);
+            return HeadPoint{p, depth, isHydrostatic() ? depth : water.headAt(p)};
+        };
+        const Corners p{corner(a), corner(b), corner(c)};
+        const std::array<double, 3> error{m_water.errorAt(water, a), m_water.errorAt(water, b),
+                                          m_water.errorAt(water, c)};
+        const double largestError = std::max({error[0], error[1], error[2]});
+        Bubble bubble(p, water.head.bend);
+        if (!isHydrostatic()) bubble.largest = std::max(bubble.largest, Bubble(p, water.depth.bend).largest);
+        const double strayed = largestError + bubble.largest;
+        if (std::max({p[0].depth, p[1].depth, p[2].depth}) <= -strayed) return;
+
+        const double atWaterline = waterlineError(p, strayed);
+        const bool reachesOver = largestError > m_headError && isLargerThanACell(a, b, c);
+        const bool missesWaterline = atWaterline > m_headError / 4 && bubble.largest > largestError;
+        constexpr int mostQuarterings = 6;
+        if ((reachesOver || missesWaterline) && quarterings < mostQuarterings)
+            return addQuarters(a, b, c, quarterings + 1);
+
+        constexpr double negligible = 1.0 / 16;  // of the error allowed
+        const bool isBent = bubble.largest > negligible * m_headError;
+        visitWetPart(p[0], p[1], p[2], [&](const HeadPoint& q, const HeadPoint& r, const HeadPoint& s) {
+            addWetTriangle(q, r, s, m_water.upInBody(), m_query, m_integrals);
+            if (isBent) addBend({q, r, s}, water, m_water.upInBody(), m_integrals);
+        });
+        // The distances' powers are convex: over the triangle their mean is at most that of the corners.
+        const double share = wetShareBelow(p, strayed);
+        const double meanError = std::min((error[0] + error[1] + error[2]) / 3, share * largestError);
+        const double leftOut = isBent ? 0 : std::min(bubble.mean, share * bubble.largest);
+        m_integrals.error += (meanError + leftOut + atWaterline) * areaVectorOf(p).cwiseAbs();
+    }
+
+private:
+    bool isHydrostatic() const { return m_water.pressure() == PressureModel::hydrostatic; }
+
+    bool isLargerThanACell(const Vec3& a, const Vec3& b, const Vec3& c) const {
+        constexpr double rounding = 1e-9;
+        const Vec3 size = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
+        return m_water.cellCount() > 1 && (size - (1 + rounding) * m_water.cell()).maxCoeff() > 0;
+    }
+
+    void addQuarters(const Vec3& a, const Vec3& b, const Vec3& c, int quarterings) {
+        const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
+        add(a, ab, ca, quarterings);
+        add(ab, b, bc, quarterings);
+        add(ca, bc, c, quarterings);
+        add(ab, bc, ca, quarterings);
+    }
+
+    const WaterPatch& m_water;
+    double m_headError;
+    const HydrostaticQuery& m_query;
+    WetIntegrals& m_integrals;
+};
+
+constexpr int trianglesAtOnce = 32;
+using CornerPoints = Eigen::Array<double, Eigen::Dynamic, 3, Eigen::ColMajor, 3 * trianglesAtOnce, 3>;
+using CornerHeads = Eigen::Array<double, Eigen::Dynamic, 10, Eigen::ColMajor, 3 * trianglesAtOnce, 10>;
+
+/// Depth and head at points of the water's frame.
+struct CornerSamples {
+    Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * trianglesAtOnce, 1> depth, head;
+
+    CornerSamples(const WaterView& water, const CornerPoints& points) {
+        CornerPoints surface(points.rows(), 3);
+        water.field.sampleSurface(points.leftCols<2>(), water.time, surface);
+        depth = surface.col(0) - points.col(2);
+        head = depth;
+        if (water.pressure == PressureModel::hydrostatic) return;
+        CornerPoints below = points;
+        below.col(2) = -depth;
+        CornerHeads heads(points.rows(), 10);
+        water.field.expandWaveHead(below, water.time, heads);
+        head = heads.col(0) - points.col(2);
+    }
+};
+
+/// Within a triangle whose longest side is L a surface of that bend strays from its corners' plane by no more
+/// than half of it times the square of the radius of the circle that encloses the triangle, L / sqrt(3).
+double strayedWithin(const Corners& p, double bend) {
+    const double side2 = std::max({(p[1].position - p[0].position).squaredNorm(),
+                                   (p[2].position - p[1].position).squaredNorm(),
+                                   (p[0].position - p[2].position).squaredNorm()});
+    return bend * side2 / 6;
+}
+
+}  // namespace
+
+void addMeshInWaves(const TriangleMesh& mesh, const WaterPatch& water, double headError,
+                    const HydrostaticQuery& query, WetIntegrals& integrals) {
+    TrianglesInWaves triangles(water, headError, query, integrals);
+    for (const Triangle& t : mesh.triangles)
+        triangles.add(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+}
+
+int addMeshByCorners(const TriangleMesh& mesh, const WaterView& water, const HydrostaticQuery& query,
+                     WetIntegrals& integrals) {
+    const Vec3 up = water.upInBody(), origin = water.field.frame().pointFromWorld(water.pose.position);
+    const Mat3 frameFromBody = water.field.frame().worldFromFrame().transpose() * water.pose.worldFromBody();
+    const double bend = headBend(water);
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t first = 0; first < count; first += trianglesAtOnce) {
+        const std::size_t here = std::min<std::size_t>(trianglesAtOnce, count - first);
+        CornerPoints points(Eigen::Index(3 * here), 3);
+        for (std::size_t i = 0; i < 3 * here; ++i) {
+            const Vec3& vertex = mesh.vertices[mesh.triangles[first + i / 3][i % 3]];
+            points.row(Eigen::Index(i)) = (origin + frameFromBody * vertex).transpose().array();
+        }
+        const CornerSamples samples(water, points);
+        for (std::size_t i = 0; i < here; ++i) {
+            Corners p;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto row = Eigen::Index(3 * i + k);
+                p[k] = {mesh.vertices[mesh.triangles[first + i][k]], samples.depth[row], samples.head[row]};
+            }
+            visitWetPart(p[0], p[1], p[2], [&](const HeadPoint& q, const HeadPoint& r, const HeadPoint& s) {
+                addWetTriangle(q, r, s, up, query, integrals);
+            });
+            const double strayed = strayedWithin(p, bend);
+            integrals.error += (strayed * wetShareBelow(p, strayed) + waterlineError(p, strayed)) *
+                               areaVectorOf(p).cwiseAbs();
+        }
+    }
+    return int(3 * count);
+}
+
+}  // namespace bullet_buoyancy
