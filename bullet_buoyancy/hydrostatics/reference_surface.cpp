@@ -8,6 +8,7 @@
 
 #include "bullet_buoyancy/core/quadrature.h"
 #include "bullet_buoyancy/hydrostatics/clip_triangle.h"
+#include "bullet_buoyancy/hydrostatics/reference_element.h"
 
 namespace bullet_buoyancy {
 
@@ -15,23 +16,6 @@ namespace {
 
 constexpr int quarterings =
     12;  // cells of 2^-12 of a triangle's side: an error at the waterline of their square
-
-/// A small piece of wet surface at one point. Volumes by the divergence theorem with fields that vanish at
-/// depth 0.
-void addElement(const Vec3& position, double depth, const Vec3& areaVector, const Vec3& up,
-                WetIntegrals& sums) {
-    const double areaUp = areaVector.dot(up);
-    const Vec3 shadow = position + depth * up;
-    sums.headNormal += depth * areaVector;
-    sums.headTorque += depth * position.cross(areaVector);
-    sums.volume -= depth * areaUp;
-    sums.volumeMoment -= areaUp * depth * (position + depth / 2 * up);
-    sums.headVolume -= depth * depth / 2 * areaUp;
-    sums.wettedArea += areaVector.norm();
-    sums.waterplane.area -= areaUp;
-    sums.waterplane.firstMoment -= areaUp * shadow;
-    sums.waterplane.secondMoment -= areaUp * shadow * shadow.transpose();
-}
 
 /// Strang's three-point rule, exact for quadratics, where the triangle is wholly wet; quarters where it is
 /// cut.
@@ -46,7 +30,7 @@ void addTriangle(const DepthPoint& a, const DepthPoint& b, const DepthPoint& c, 
     if (least >= 0 || level == quarterings) {
         const Vec3 third = (b.position - a.position).cross(c.position - a.position) / 6;
         for (const DepthPoint* p : {&ab, &bc, &ca})
-            if (p->depth > 0) addElement(p->position, p->depth, third, up, sums);
+            if (p->depth > 0) addElement(p->position, p->depth, p->depth, third, up, sums);
         return;
     }
     addTriangle(a, ab, ca, level + 1, up, sums);
@@ -93,7 +77,8 @@ struct SolidInWater {
         roundWetArc(x, radius, [&](double cosine, double sine, double angleWeight) {
             const Vec3 outward = radial(cosine, sine);
             const Vec3 position = solid.origin + x * solid.axis + radius * outward;
-            addElement(position, plane.depth(position),
+            const double depth = plane.depth(position);
+            addElement(position, depth, depth,
                        weight * angleWeight * (radius * outward - radiusTimesSlope * solid.axis),
                        plane.upInBody, sums);
         });
@@ -155,7 +140,8 @@ struct SolidInWater {
             for (std::size_t i = 0; i < acrossS.nodes.size(); ++i) {
                 const Vec3 position =
                     solid.origin + x * solid.axis + s * rising + half * acrossS.nodes[i] * sideways;
-                addElement(position, plane.depth(position),
+                const double depth = plane.depth(position);
+                addElement(position, depth, depth,
                            outwardSign * weight * half * acrossS.weights[i] * solid.axis, plane.upInBody,
                            sums);
             }
