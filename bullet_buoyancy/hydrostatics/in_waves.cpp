@@ -74,7 +74,8 @@ private:
     /// The integral of r x (bend r), from that of r r^T times the bend.
     static Vec3 crossOf(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
 
-    /// Until the bound is within the tolerance, or the patch as fine as it may be.
+    /// With cells that are made smaller until the bound is within the tolerance, or is one that lasts, or
+    /// there are as many as there may be.
     void addWithin(WetIntegrals& integrals) {
         double reach = m_error.reach(0.7 * allowedHeadError() / meanErrorOverLargest);
         constexpr int mostAttempts = 4;
@@ -84,12 +85,13 @@ private:
             note(patch, now);
             addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
             addSolids(patch, allowedHeadError(), now);
-            const double excess = now.error.norm() / m_tolerance;
-            integrals.samples = now.samples;
+            const double lasting = now.lastingError.norm();
+            const double excess = now.error.norm() / std::max(m_tolerance - lasting, lasting / 4);
             if (excess <= 1 || attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2) {
                 integrals = now;
                 return;
             }
+            integrals.samples = now.samples;
             reach = std::min(reach, patch.cell().norm() / 2) / (1.2 * std::pow(excess, 1.0 / m_error.power));
         }
     }

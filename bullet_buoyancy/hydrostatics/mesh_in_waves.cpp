@@ -129,7 +129,9 @@ public:
         const double share = wetShareBelow(p, strayed);
         const double meanError = std::min((error[0] + error[1] + error[2]) / 3, share * largestError);
         const double leftOut = isBent ? 0 : std::min(bubble.mean, share * bubble.largest);
-        m_integrals.error += (meanError + leftOut + atWaterline) * areaVectorOf(p).cwiseAbs();
+        const Vec3 area = areaVectorOf(p).cwiseAbs();
+        m_integrals.error += (meanError + leftOut) * area;
+        m_integrals.lastingError += atWaterline * area;
     }
 
 private:
@@ -219,8 +221,9 @@ int addMeshByCorners(const TriangleMesh& mesh, const WaterView& water, const Hyd
                 addWetTriangle(q, r, s, up, query, integrals);
             });
             const double strayed = strayedWithin(p, bend);
-            integrals.error += (strayed * wetShareBelow(p, strayed) + waterlineError(p, strayed)) *
-                               areaVectorOf(p).cwiseAbs();
+            const Vec3 area = areaVectorOf(p).cwiseAbs();
+            integrals.error += strayed * wetShareBelow(p, strayed) * area;
+            integrals.lastingError += waterlineError(p, strayed) * area;
         }
     }
     return int(3 * count);

@@ -42,10 +42,9 @@ struct Scale {
     CellError errorOf(const CellIntegral& cell) const {
         const WetIntegrals &a = cell.value, &b = cell.rougher;
         const double force = (a.headNormal - b.headNormal).norm() + cell.areaInDoubt * cell.depthInDoubt;
-        const double pressure =
-            std::max({force, std::abs(a.volume - b.volume), (a.headTorque - b.headTorque).norm() / size,
-                      (a.volumeMoment - b.volumeMoment).norm() / size,
-                      std::abs(a.headVolume - b.headVolume) / size});
+        const double pressure = std::max(
+            {force, std::abs(a.volume - b.volume), (a.headTorque - b.headTorque).norm() / size,
+             (a.volumeMoment - b.volumeMoment).norm() / size, std::abs(a.headVolume - b.headVolume) / size});
         const double areas =
             std::max({std::abs(a.wettedArea - b.wettedArea), std::abs(a.waterplane.area - b.waterplane.area),
                       (a.waterplane.firstMoment - b.waterplane.firstMoment).norm() / size,

@@ -224,7 +224,7 @@ void addSolidInWaves(const SolidOfRevolution& solid, const WaterPatch& water, do
     }
     StrayingWater(solid, water, tangent, integrals).add();
     const double band = strayed / tangent.steepnessUpright;
-    integrals.error += Vec3::Constant(
+    integrals.lastingError += Vec3::Constant(
         strayed * (wettedAreaIn(solid, tangent.plane, band) - wettedAreaIn(solid, tangent.plane, -band)));
 }
 
@@ -260,7 +260,7 @@ void addSphereInWaves(const Sphere& sphere, const WaterPatch& water, const Hydro
     const double band = strayed / tangent.steepnessUpright;
     const double bandArea = 2 * pi * r * (wetHeight(band) - wetHeight(-band));
     const double error = water.errorWithin((sphere.centre - expansion.centre).norm() + r);
-    integrals.error += Vec3::Constant(error * 2 * pi * r * wetHeight(band) + strayed * bandArea);
+    integrals.lastingError += Vec3::Constant(error * 2 * pi * r * wetHeight(band) + strayed * bandArea);
 }
 
 }  // namespace bullet_buoyancy

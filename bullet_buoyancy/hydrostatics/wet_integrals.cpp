@@ -15,7 +15,7 @@ HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, cons
     if (integrals.volume != 0)
         result.centreOfBuoyancyFromCom = rotation * (integrals.volumeMoment / integrals.volume);
     result.potentialEnergy = weightDensity * integrals.headVolume;
-    result.forceErrorBound = weightDensity * integrals.error.norm();
+    result.forceErrorBound = weightDensity * (integrals.error + integrals.lastingError).norm();
     result.waterSamples = integrals.samples;
     result.wettedArea = integrals.wettedArea;
     result.waterplane.area = integrals.waterplane.area;

@@ -17,6 +17,7 @@ struct WetIntegrals {
     double wettedArea = 0;             ///< m^2
     Waterplane waterplane;             ///< about the body's origin, in its axes
     Vec3 error = Vec3::Zero();         ///< upper bound of that of `headNormal`, by component, m^3
+    Vec3 lastingError = Vec3::Zero();  ///< the same, which finer cells do not mend: at the waterline, m^3
     int samples = 0;                   ///< of the water
 
     /// A closed piece of the displacement: by Archimedes its pressure acts upward through its centre.
