@@ -9,4 +9,5 @@
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
 #include "bullet_buoyancy/motion/damping.h"
+#include "bullet_buoyancy/water/airy_waves.h"
 #include "bullet_buoyancy/water/flat_water.h"
