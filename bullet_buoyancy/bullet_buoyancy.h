@@ -11,3 +11,4 @@
 #include "bullet_buoyancy/motion/damping.h"
 #include "bullet_buoyancy/water/airy_waves.h"
 #include "bullet_buoyancy/water/flat_water.h"
+#include "bullet_buoyancy/water/gerstner_waves.h"
