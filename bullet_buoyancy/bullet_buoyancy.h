@@ -12,3 +12,4 @@
 #include "bullet_buoyancy/water/airy_waves.h"
 #include "bullet_buoyancy/water/flat_water.h"
 #include "bullet_buoyancy/water/gerstner_waves.h"
+#include "bullet_buoyancy/water/sea_state.h"
