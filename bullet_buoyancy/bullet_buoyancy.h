@@ -11,5 +11,7 @@
 #include "bullet_buoyancy/motion/damping.h"
 #include "bullet_buoyancy/water/airy_waves.h"
 #include "bullet_buoyancy/water/flat_water.h"
+#include "bullet_buoyancy/water/function_water.h"
 #include "bullet_buoyancy/water/gerstner_waves.h"
+#include "bullet_buoyancy/water/height_grid.h"
 #include "bullet_buoyancy/water/sea_state.h"
