@@ -10,6 +10,13 @@ namespace bullet_buoyancy {
 
 namespace {
 
+/// What an extrapolated slope may be off by, m/m: no more than curvature's change times the distance's
+/// square.
+constexpr double slopeTolerance = 1e-8;
+
+/// How far second derivatives are taken over unchanged, m: they are then off by as many times their change.
+constexpr double bendReach = 1e-9;
+
 WaterStatus check(const std::vector<WaveComponent>& components) {
     WaterStatus status = checkComponents(components);
     if (!status.accepted()) return status;
@@ -31,10 +38,6 @@ WaterBounds boundsOf(const std::vector<WaveComponent>& components) {
     bounds.curvatureChange = third * std::pow(j, 4) + 3 * second * second * std::pow(j, 5);
     bounds.still = bounds.elevation == 0;
     return bounds;
-}
-
-double elevation(const Trochoid& at, const Vec2& slope) {
-    return at.elevation - slope.dot(at.shift);
 }
 
 /// A particle under the surface, seen from a point.
@@ -105,47 +108,39 @@ GerstnerWaves::GerstnerWaves(const WaterFrame& frame, const GerstnerWavesDef& de
     m_lanes = waveLanes(components);
     m_bounds = boundsOf(components);
     m_steepness = waveMoment(components, 1);
+    m_reach = std::sqrt(slopeTolerance / m_bounds.curvatureChange);
     for (const WaveComponent& wave : components)
         m_meanLevel -= wave.amplitude * wave.amplitude * wave.wavenumber / 2;
 }
 
 void GerstnerWaves::sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const {
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
-        const Trochoid at = findTrochoid(m_lanes, time, {points(row, 0), points(row, 1)});
+        const Trochoid at = findTrochoid(m_lanes, time, {points(row, 0), points(row, 1)}, m_reach);
         const Vec2 slope = at.slope();
-        samples.row(row) << elevation(at, slope), slope.x(), slope.y();
+        samples.row(row) << at.elevation, slope.x(), slope.y();
     }
 }
 
 /// The second derivatives are P^T Q P with P the derivative of the resting place by the place and Q the sum
 /// of -amplitude k k^T (cos(theta) + (slope . k / |k|) sin(theta)).
 void GerstnerWaves::expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const {
-    Lanes sine, cosine;
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
-        const Trochoid at = findTrochoid(m_lanes, time, {points(row, 0), points(row, 1)});
+        const Trochoid at = findTrochoid(m_lanes, time, {points(row, 0), points(row, 1)}, bendReach);
         const Vec2 slope = at.slope();
-        Lanes xx = Lanes::Zero(), xy = xx, yy = xx;
-        for (const WaveLanes& waves : m_lanes) {
-            waves.sinCosAt(at.rest.x(), at.rest.y(), time, sine, cosine);
-            const Lanes bend = waves.amplitude * cosine +
-                               (waves.amplitudeX * slope.x() + waves.amplitudeY * slope.y()) * sine;
-            xx -= waves.wavenumberX * waves.wavenumberX * bend;
-            xy -= waves.wavenumberX * waves.wavenumberY * bend;
-            yy -= waves.wavenumberY * waves.wavenumberY * bend;
-        }
+        const Vec3 q = -at.sag - at.bend.head<3>() * slope.x() - at.bend.tail<3>() * slope.y();
         Eigen::Matrix2d bend;
-        bend << xx.sum(), xy.sum(), xy.sum(), yy.sum();
+        bend << q[0], q[1], q[1], q[2];
         const Eigen::Matrix2d restFromPlace = at.restFromPlace();
         bend = restFromPlace.transpose() * bend * restFromPlace;
-        expansions.row(row) << elevation(at, slope), slope.x(), slope.y(), bend(0, 0), bend(0, 1), bend(1, 1);
+        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend(0, 0), bend(0, 1), bend(1, 1);
     }
 }
 
 void GerstnerWaves::sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const {
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
         const Vec3 point(points(row, 0), points(row, 1), points(row, 2));
-        const Trochoid top = findTrochoid(m_lanes, time, point.head<2>());
-        const double depth = std::max(elevation(top, top.slope()) - point.z(), 0.0);
+        const Trochoid top = findTrochoid(m_lanes, time, point.head<2>(), m_reach);
+        const double depth = std::max(top.elevation - point.z(), 0.0);
         const Vec3 start(top.rest.x(), top.rest.y(), -depth);
         const DeepParticle particle = depth == 0 ? deepParticle(m_lanes, time, start, point)
                                                  : findParticle(m_lanes, time, start, point);

@@ -33,7 +33,7 @@ public:
 
     WaterBounds bounds() const override { return m_bounds; }
 
-    /// Heights are exact to 1e-9 m.
+    /// Heights are right to 1e-9 m, slopes to 1e-8.
     void sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const override;
     void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const override;
     void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;
@@ -43,6 +43,7 @@ private:
     WaterStatus m_status;
     double m_steepness = 0;
     double m_meanLevel = 0;
+    double m_reach = 0;  // of one look at the surface, m
     WaterBounds m_bounds;
 };
 

@@ -6,10 +6,10 @@ namespace bullet_buoyancy {
 
 namespace {
 
-/// Particles are sought to this distance, m; the height is then corrected by the slope.
+/// From here on a particle is near enough to its place, m: rounding may keep it from coming nearer.
 constexpr double placeTolerance = 1e-10;
 
-/// Seas at a steepness of 0.99 need no more than some twenty looks.
+/// Seas at a steepness of 0.99 need no more than some twenty.
 constexpr int mostLooks = 100;
 
 Eigen::Matrix2d symmetric(double xx, double xy, double yy) {
@@ -41,22 +41,24 @@ Vec2 secondOrderStep(const Trochoid& at) {
     return tame ? Vec2(-solve(inMiddle, at.shift)) : newton;
 }
 
-}  // namespace
-
-Eigen::Matrix2d Trochoid::restFromPlace() const {
-    return placeFromRest(*this).inverse();
+/// The particle that rests `step` farther on, and has arrived at its place.
+Trochoid moved(Trochoid at, const Vec2& step) {
+    const Eigen::Matrix2d sag = symmetric(at.sag[0], at.sag[1], at.sag[2]);
+    at.rest += step;
+    at.shift.setZero();
+    at.elevation += at.gradient.dot(step) - step.dot(sag * step) / 2;
+    at.gradient -= sag * step;
+    at.squeeze -= at.bend.head<3>() * step.x() + at.bend.tail<3>() * step.y();
+    return at;
 }
 
-Vec2 Trochoid::slope() const {
-    return restFromPlace() * gradient;
-}
-
+/// The particle that rests at `rest`, seen from `place`.
 Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2& rest, const Vec2& place) {
-    // Two lanes at a time: their twelve sums fit into the registers of any machine with vectors.
+    // Two lanes at a time: their sums nearly fit into the registers of any machine with vectors.
     using Pair = Eigen::Array2d;
     Lanes sine, cosine;
     Pair x = Pair::Zero(), y = x, z = x, dx = x, dy = x, xx = x, xy = x, yy = x;
-    Pair xxx = x, xxy = x, xyy = x, yyy = x;
+    Pair sagXX = x, sagXY = x, sagYY = x, xxx = x, xxy = x, xyy = x, yyy = x;
     for (const WaveLanes& group : waves) {
         group.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
         for (int lane = 0; lane < laneCount; lane += 2) {
@@ -67,6 +69,10 @@ Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2
             z += a * c;
             dx -= kx * height;
             dy -= ky * height;
+            const Pair sagX = kx * a * c, sagY = ky * a * c;
+            sagXX += kx * sagX;
+            sagXY += ky * sagX;
+            sagYY += ky * sagY;
             const Pair alongX = ax * c, alongY = ay * c, shiftX = ax * s, shiftY = ay * s;
             x += shiftX;
             y += shiftY;
@@ -85,22 +91,32 @@ Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2
     result.shift = rest - Vec2(x.sum(), y.sum()) - place;
     result.elevation = z.sum();
     result.gradient = {dx.sum(), dy.sum()};
+    result.sag = {sagXX.sum(), sagXY.sum(), sagYY.sum()};
     result.squeeze = {xx.sum(), xy.sum(), yy.sum()};
     result.bend = {xxx.sum(), xxy.sum(), xyy.sum(), yyy.sum()};
     return result;
 }
 
-Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place) {
+}  // namespace
+
+Eigen::Matrix2d Trochoid::restFromPlace() const {
+    return placeFromRest(*this).inverse();
+}
+
+Vec2 Trochoid::slope() const {
+    return restFromPlace() * gradient;
+}
+
+Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
+    const double near = placeTolerance + 1e-15 * place.norm();
     Trochoid best = trochoidAt(waves, time, place, place);
-    double distance = best.shift.squaredNorm();
     Vec2 step = secondOrderStep(best);
     bool fresh = true;
-    for (int look = 1; look < mostLooks && distance > placeTolerance * placeTolerance; ++look) {
+    for (int look = 1; look < mostLooks; ++look) {
+        if (fresh && (step.squaredNorm() <= reach * reach || best.shift.squaredNorm() <= near * near)) break;
         const Trochoid next = trochoidAt(waves, time, best.rest + step, place);
-        const double nextDistance = next.shift.squaredNorm();
-        if (nextDistance < distance) {
+        if (next.shift.squaredNorm() < best.shift.squaredNorm()) {
             best = next;
-            distance = nextDistance;
             step = secondOrderStep(best);
             fresh = true;
         } else {
@@ -109,7 +125,7 @@ Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Ve
             fresh = false;
         }
     }
-    return best;
+    return moved(best, step);
 }
 
 }  // namespace bullet_buoyancy

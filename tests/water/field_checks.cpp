@@ -82,7 +82,8 @@ void expectSurfaceDerivatives(const WaterField& water, const DerivativeCheck& ch
         const Eigen::Array3d sample = surfaceAt(water, x, y, t);
         const Eigen::Array<double, 6, 1> expansion = expansionAt(water, x, y, t);
         // Two ways of summing up, or of stopping a search, for the same.
-        EXPECT_LE((expansion.head<3>() - sample).abs().maxCoeff(), 1e-9);
+        EXPECT_NEAR(expansion[0], sample[0], 1e-9);
+        EXPECT_LE((expansion.segment<2>(1) - sample.tail<2>()).abs().maxCoeff(), 1e-8);
         const Eigen::Array3d byX = (surfaceAt(water, x + h, y, t) - surfaceAt(water, x - h, y, t)) / (2 * h);
         const Eigen::Array3d byY = (surfaceAt(water, x, y + h, t) - surfaceAt(water, x, y - h, t)) / (2 * h);
         EXPECT_NEAR(sample[1], byX[0], check.tolerance);
