@@ -22,7 +22,11 @@ void WaterField::expandWaveHead(WaterPoints points, double time, HeadExpansions 
     expansions.rightCols<3>().setZero();
 }
 
-double WaterField::headCurvatureChange(double) const {
+double WaterField::headCurvatureChange(double above) const {
+    return headCurvatureChangeUnder(bounds(), above);
+}
+
+double WaterField::headCurvatureChangeUnder(const WaterBounds&, double) const {
     return bounds().curvatureChange;
 }
 

@@ -60,6 +60,10 @@ public:
     /// (m) over the surface, 1/m^2.
     virtual double headCurvatureChange(double above) const;
 
+    /// The same of this field's part of the head where its waves ride on others: heights are measured from a
+    /// surface with the bounds `surface`.
+    virtual double headCurvatureChangeUnder(const WaterBounds& surface, double above) const;
+
     /// Velocity of the water at `points` at `time` (s); above the surface, that of the water below it.
     virtual void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const = 0;
 

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/water/dispersion.h"
+#include "bullet_buoyancy/water/water_field.h"
+#include "bullet_buoyancy/water/wave_lanes.h"
+
+namespace bullet_buoyancy {
+
+struct AiryWavesDef {
+    std::vector<WaveComponent> components;                   ///< of any number and directions
+    double depth = std::numeric_limits<double>::infinity();  ///< of the still water, m; above zero
+    double density = freshWaterDensity;                      ///< kg/m^3
+};
+
+/// Linear waves (Airy 1845), the sum of their components.
+///
+/// Pressure and velocity fall with depth as cosh k(depth + s) / cosh(k depth), in deep water as e^(k s), with
+/// s the height above the instantaneous surface (stretching of Wheeler 1970, not scaled with depth: the bed
+/// rises and falls with the surface). Above the surface the head goes on by the same formula and the velocity
+/// is that of the surface; below the bed the velocity is that of the bed.
+class AiryWaves final : public WaterField {
+public:
+    AiryWaves(const WaterFrame& frame, const AiryWavesDef& def);
+
+    const WaterStatus& status() const { return m_status; }
+
+    WaterBounds bounds() const override { return m_bounds; }
+    void sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const override;
+    void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const override;
+    void expandWaveHead(WaterPoints points, double time, HeadExpansions expansions) const override;
+
+    /// Holds wherever there is water: from the bed on up.
+    double headCurvatureChangeUnder(const WaterBounds& surface, double above) const override;
+    void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;
+
+private:
+    /// How the waves of one group feel the bed.
+    struct DepthLanes {
+        WaveLanes::Stored evenShare = WaveLanes::Stored::Ones();  // 1 / (1 + e^(-2 k depth))
+        WaveLanes::Stored orbit = WaveLanes::Stored::Zero();      // frequency / tanh(k depth)
+    };
+
+    void decay(std::size_t lane, double s, Lanes& even, Lanes& odd) const;
+
+    std::vector<WaveComponent> m_components;
+    std::vector<WaveLanes> m_lanes;
+    std::vector<DepthLanes> m_depthLanes;
+    double m_depth;
+    WaterStatus m_status;
+    WaterBounds m_bounds;
+};
+
+}  // namespace bullet_buoyancy

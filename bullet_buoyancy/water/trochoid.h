@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "bullet_buoyancy/core/math_types.h"
+#include "bullet_buoyancy/water/wave_lanes.h"
+
+namespace bullet_buoyancy {
+
+/// Where a particle of the surface of trochoidal waves is, and the derivatives of that by where it rests.
+/// Symmetric ones have the entries xx, xy, yy, or xxx, xxy, xyy, yyy.
+struct Trochoid {
+    Vec2 rest = Vec2::Zero();      ///< m
+    Vec2 shift = Vec2::Zero();     ///< from the wanted place to where the particle is, m
+    double elevation = 0;          ///< m
+    Vec2 gradient = Vec2::Zero();  ///< of the elevation by `rest`
+    Vec3 sag = Vec3::Zero();       ///< second derivatives of the elevation by `rest`, times -1, 1/m
+    /// The place changes by the unit matrix less this, which is less than the waves' steepness.
+    Vec3 squeeze = Vec3::Zero();
+    Eigen::Vector4d bend = Eigen::Vector4d::Zero();  ///< second derivatives of the place by `rest`, 1/m
+
+    /// Slopes of the surface.
+    Vec2 slope() const;
+
+    /// Inverse of the place's derivative by `rest`.
+    Eigen::Matrix2d restFromPlace() const;
+};
+
+/// The particle which is at `place`. The waves' steepness must be below 1: then there is exactly one, for the
+/// derivative of the place is symmetric and positive definite.
+///
+/// It is not looked at again if it is nearer than `reach` (m) to one that was: from there on, second
+/// derivatives tell.
+Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
+
+}  // namespace bullet_buoyancy
