@@ -131,7 +131,7 @@ private:
     }
 
     void addIntegrated(const SurfacePatch& patch, const Cell& cell, const CellError& ofDoubt) {
-        constexpr double goodEnough = 1e-3;
+        constexpr double goodEnough = 1e-2;
         const WetIntegrals rough = integrateWetPart(patch, cell, CellRule::three, m_water);
         WetIntegrals value = integrateWetPart(patch, cell, CellRule::five, m_water);
         CellError error = m_scale.errorOf(value, rough);
