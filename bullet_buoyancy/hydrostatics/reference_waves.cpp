@@ -9,7 +9,10 @@ namespace bullet_buoyancy {
 
 namespace {
 
-constexpr std::size_t mostCells = 20000;
+constexpr std::size_t mostQuarterings = 5000;
+
+/// Of a patch, so that one does not use up what the others need; and of a cell that is quartered later.
+constexpr std::size_t mostCellsInDoubt = 4000, mostCellsInDoubtLater = 50;
 
 void addTo(WetIntegrals& sums, const WetIntegrals& other) {
     sums.depthNormal += other.depthNormal;
@@ -89,17 +92,17 @@ public:
                                       CellPoint{triangle[2], depths[2]}},
                                      m_water));
         }
-        add(patch, std::move(cells));
+        add(patch, std::move(cells), mostCellsInDoubt);
     }
 
     void refine() {
-        while (m_overAllowed > 1 && m_cells.size() < mostCells) {
+        for (std::size_t i = 0; m_overAllowed > 1 && i < mostQuarterings; ++i) {
             std::pop_heap(m_cells.begin(), m_cells.end(), isBetter);
             const IntegratedCell worst = m_cells.back();
             m_cells.pop_back();
             m_overAllowed -= worst.error.overAllowed;
             const std::array<Cell, 4> children = quarters(*worst.patch, worst.cell, m_water);
-            add(*worst.patch, {children.begin(), children.end()});
+            add(*worst.patch, {children.begin(), children.end()}, mostCellsInDoubtLater);
         }
     }
 
@@ -114,14 +117,14 @@ public:
 
 private:
     /// Quarters what is in doubt before it is worth to be integrated.
-    void add(const SurfacePatch& patch, std::vector<Cell> cells) {
+    void add(const SurfacePatch& patch, std::vector<Cell> cells, std::size_t most) {
         constexpr double worthIt = 1e-2;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const Cell cell = cells[i];
             const CellDoubt doubt = doubtOf(patch, cell, m_water);
             if (doubt.isDry) continue;
             const CellError error = m_scale.errorOf(doubt);
-            if (error.overAllowed < worthIt || cells.size() + m_cells.size() > mostCells) {
+            if (error.overAllowed < worthIt || cells.size() > most) {
                 addIntegrated(patch, cell, error);
                 continue;
             }

@@ -319,53 +319,55 @@ double slopeOf(const Function& f, double step) {
 
 TEST(ReferenceInWaves, ForceAndTorqueAreTheSlopeOfThePotential) {
     Random random(5);
-    for (const auto& [name, hull] : allHulls())
+    for (const NamedHull& named : allHulls())
         for (int i = 0; i < 2; ++i) {
-            SCOPED_TRACE(name);
-            const Pose pose = inSeaway(*hull, random);
-            const double time = random.uniform(0, 9), size = momentOfAll(*hull) / weightOfAll(*hull);
-            const HydrostaticResult result = evaluateReference(*hull, pose, seaway(), at(time));
+            SCOPED_TRACE(named.name);
+            const Hull& hull = *named.hull;
+            const Pose pose = inSeaway(hull, random);
+            const double time = random.uniform(0, 9), size = momentOfAll(hull) / weightOfAll(hull);
+            const HydrostaticResult result = evaluateReference(hull, pose, seaway(), at(time));
             const Vec3 direction = random.direction(), axis = random.direction();
             const double turn = 1e-2, step = turn * size;
             const double force = -slopeOf(
                 [&](double s) {
                     const Pose moved{pose.position + s * direction, pose.orientation};
-                    return evaluateReference(*hull, moved, seaway(), at(time)).potentialEnergy;
+                    return evaluateReference(hull, moved, seaway(), at(time)).potentialEnergy;
                 },
                 step);
             const double torque = -slopeOf(
                 [&](double angle) {
                     const Pose moved{pose.position, turnedBy(angle, axis) * pose.orientation};
-                    return evaluateReference(*hull, moved, seaway(), at(time)).potentialEnergy;
+                    return evaluateReference(hull, moved, seaway(), at(time)).potentialEnergy;
                 },
                 turn);
             // 1.5 times the error of the energies over the step. What the difference itself leaves out, and
             // jumps of the force's second derivative where an edge passes the surface, are a tenth of it and
             // less.
             const double tolerance = promised + 1.5 * promised / turn;
-            EXPECT_NEAR(result.forceWorld.dot(direction), force, tolerance * weightOfAll(*hull));
-            EXPECT_NEAR(result.torqueAboutCom.dot(axis), torque, tolerance * momentOfAll(*hull));
+            EXPECT_NEAR(result.forceWorld.dot(direction), force, tolerance * weightOfAll(hull));
+            EXPECT_NEAR(result.torqueAboutCom.dot(axis), torque, tolerance * momentOfAll(hull));
         }
 }
 
 TEST(ReferenceInWaves, ATighterToleranceChangesNoMoreThanTheLooserOneAllowed) {
     Random random(6);
     for (PressureModel model : {PressureModel::hydrostatic, PressureModel::waveDynamic})
-        for (const auto& [name, hull] : allHulls()) {
-            SCOPED_TRACE(name);
-            const Pose pose = inSeaway(*hull, random);
+        for (const NamedHull& named : allHulls()) {
+            SCOPED_TRACE(named.name);
+            const Hull& hull = *named.hull;
+            const Pose pose = inSeaway(hull, random);
             const HydrostaticQuery query = at(3, model);
             const auto within = [&](const ReferenceTolerance& tolerance) {
                 WaterAroundBody water(pose, seaway(), query);
-                return toResult(integrateInWaves(*hull, water, tolerance).wet, pose, seaway(), query);
+                return toResult(integrateInWaves(hull, water, tolerance).wet, pose, seaway(), query);
             };
-            const HydrostaticResult usual = evaluateReference(*hull, pose, seaway(), query);
+            const HydrostaticResult usual = evaluateReference(hull, pose, seaway(), query);
             const HydrostaticResult tight = within({1e-10, 1e-8}), loose = within({1e-5, 1e-3});
-            EXPECT_LT(relativeDifference(usual, tight, *hull, weightDensity), promised);
-            EXPECT_LT(relativeAreaDifference(usual, tight, *hull), promisedOfAreas);
-            EXPECT_LT(relativeDifference(loose, tight, *hull, weightDensity), 1e-5);
-            EXPECT_LT(relativeAreaDifference(loose, tight, *hull), 1e-3);
-            EXPECT_LE(usual.forceErrorBound, promised * weightOfAll(*hull));
+            EXPECT_LT(relativeDifference(usual, tight, hull, weightDensity), promised);
+            EXPECT_LT(relativeAreaDifference(usual, tight, hull), promisedOfAreas);
+            EXPECT_LT(relativeDifference(loose, tight, hull, weightDensity), 1e-5);
+            EXPECT_LT(relativeAreaDifference(loose, tight, hull), 1e-3);
+            EXPECT_LE(usual.forceErrorBound, promised * weightOfAll(hull));
             EXPECT_GT(usual.waterSamples, 0);
         }
 }
