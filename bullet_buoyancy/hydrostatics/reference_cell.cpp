@@ -10,6 +10,8 @@ namespace bullet_buoyancy {
 
 namespace {
 
+using Corners = std::array<CellPoint, 3>;
+
 bool isWet(double depth) {
     return depth > 0;
 }
@@ -31,10 +33,10 @@ struct UnitRule {
 };
 
 /// The cell with the corner first whose rays cross the waterline, if any do.
-CellCorners withTipFirst(const CellCorners& c) {
+Corners withTipFirst(const Corners& c) {
     const bool a = isWet(c[0].depth), b = isWet(c[1].depth);
     if (b == isWet(c[2].depth)) return c;
-    return a == b ? CellCorners{c[2], c[0], c[1]} : CellCorners{c[1], c[2], c[0]};
+    return a == b ? Corners{c[2], c[0], c[1]} : Corners{c[1], c[2], c[0]};
 }
 
 std::vector<double> depthsAt(const SurfacePatch& patch, const std::vector<Vec2>& parameters,
@@ -67,7 +69,7 @@ struct Bracket {
 
 /// Where rays from the tip to points of the opposite side, at these fractions of it, cross the surface: as
 /// fractions of the ray; 1 for those that do not.
-std::vector<double> crossings(const SurfacePatch& patch, const CellCorners& c,
+std::vector<double> crossings(const SurfacePatch& patch, const Corners& c,
                               const std::vector<double>& fractions, WaterAroundBody& water) {
     const Vec2& tip = c[0].parameters;
     const auto count = fractions.size();
@@ -77,7 +79,7 @@ std::vector<double> crossings(const SurfacePatch& patch, const CellCorners& c,
         rays[i] = places[i] - tip;
     }
     std::vector<double> depths = depthsAt(patch, places, water), found(count, 1);
-    const double enough = 1e-14 * (std::abs(c[0].depth) + std::abs(c[1].depth) + std::abs(c[2].depth));
+    const double enough = 1e-12 * (std::abs(c[0].depth) + std::abs(c[1].depth) + std::abs(c[2].depth));
     std::vector<Bracket> brackets(count);
     std::vector<bool> open(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -106,7 +108,7 @@ struct WeightedPoints {
     std::vector<double> weights;
 };
 
-WeightedPoints pointsOfWetPart(const SurfacePatch& patch, const CellCorners& c, const UnitRule& rule,
+WeightedPoints pointsOfWetPart(const SurfacePatch& patch, const Corners& c, const UnitRule& rule,
                                WaterAroundBody& water) {
     const Vec2 &tip = c[0].parameters, side = c[2].parameters - c[1].parameters;
     const Vec2 first = c[1].parameters - tip;
@@ -127,7 +129,7 @@ WeightedPoints pointsOfWetPart(const SurfacePatch& patch, const CellCorners& c, 
     return points;
 }
 
-WetIntegrals integrate(const SurfacePatch& patch, const CellCorners& c, const UnitRule& rule,
+WetIntegrals integrate(const SurfacePatch& patch, const Corners& c, const UnitRule& rule,
                        WaterAroundBody& water) {
     const WeightedPoints points = pointsOfWetPart(patch, c, rule, water);
     std::vector<Vec3> positions, areaVectors;
@@ -156,49 +158,82 @@ double shareBelow(const std::array<double, 3>& v, double level) {
 /// How far the depth is from linear interpolation between the corners, at most. Between corners v_i with
 /// weights w_i that is 1/2 sum w_i q(v_i - x) for a second derivative bounded by the quadratic form q; and
 /// sum w_i q(v_i - x) = sum over the sides of w_i w_j q(side), at most a third of the largest q(side).
-double departureFromLinear(const SurfacePatch& patch, const CellCorners& c, const WaterAroundBody& water) {
-    double most = 0;
+double departureFromLinear(const SurfacePatch& patch, const Cell& cell, const WaterAroundBody& water) {
+    const ParameterTriangle triangle{cell.corners[0].parameters, cell.corners[1].parameters,
+                                     cell.corners[2].parameters};
+    double most = 0, seen = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const StepBounds side = patch.alongStep(c[(i + 1) % 3].parameters - c[i].parameters);
+        const std::size_t next = (i + 1) % 3;
+        const StepBounds side = patch.alongStep(triangle, triangle[next] - triangle[i]);
         most = std::max(most, water.curvature() * side.lengthSquared + water.steepness() * side.bend);
+        const double ends = cell.corners[i].depth + cell.corners[next].depth;
+        seen = std::max(seen, 4 * std::abs(ends - 2 * cell.middles[i].depth));
     }
-    return most / 6;
+    return std::min(most, std::max(2 * seen, most / 8)) / 6;
 }
 
-/// Whether all rays from the tip cross the surface once, on the safe side: the depth changes along a ray by
-/// more than its slope can depart from linear (half of q along it, an eighth of q along the opposite side;
-/// departure is q / 6), and the opposite side lies clear of the surface by its eighth.
-bool crossesEachRayOnce(const CellCorners& c, double departure) {
+/// The share of a cell's area on which the waterline may run otherwise than its corners and rays tell; the
+/// depth there is no more than two departures.
+///
+/// Along a ray from the tip of a cut cell the depth changes by more than its slope can depart from linear
+/// (half of q along the ray, an eighth of q along the opposite side; the departure is q / 6) in all cells but
+/// the coarsest: it crosses the surface once and where it was found to. What is left is a kink in the
+/// waterline where it touches the opposite side, from which a corner is clear by an eighth of q.
+double shareInDoubt(const Corners& c, double departure) {
     const double change = std::min(std::abs(c[1].depth - c[0].depth), std::abs(c[2].depth - c[0].depth));
-    const double clearance = std::min(std::abs(c[1].depth), std::abs(c[2].depth));
-    return change > 3.75 * departure && clearance > 0.75 * departure;
-}
-
-void noteDoubt(const SurfacePatch& patch, const CellCorners& c, double departure, CellIntegral& integral) {
-    if (isWet(c[0].depth) != isWet(c[1].depth) && crossesEachRayOnce(c, departure)) return;
+    if (isWet(c[0].depth) != isWet(c[1].depth) && change > 3.75 * departure) {
+        const auto [less, more] = std::minmax({std::abs(c[1].depth), std::abs(c[2].depth)});
+        const double reach = 0.75 * departure;
+        if (less >= reach) return 0;
+        const double ofSide = more > reach ? (reach - less) / (more - less) : 1;
+        return ofSide * std::min(1.0, 4 * reach / change);
+    }
     std::array<double, 3> depths{c[0].depth, c[1].depth, c[2].depth};
     std::sort(depths.begin(), depths.end());
-    const double share = shareBelow(depths, departure) - shareBelow(depths, -departure);
+    return shareBelow(depths, departure) - shareBelow(depths, -departure);
+}
+
+double areaOf(const SurfacePatch& patch, const Corners& c) {
     const Vec2 u = c[1].parameters - c[0].parameters, v = c[2].parameters - c[0].parameters;
-    const Vec2 centre = c[0].parameters + (u + v) / 3;
-    const double parameterArea = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
-    integral.areaInDoubt = share * parameterArea * patch.at(centre).areaVector.norm();
-    integral.depthInDoubt = 2 * departure;
+    const double ofParameters = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
+    return ofParameters * patch.at(c[0].parameters + (u + v) / 3).areaVector.norm();
 }
 
 }  // namespace
 
-CellIntegral integrateCell(const SurfacePatch& patch, const CellCorners& corners, WaterAroundBody& water) {
-    static const UnitRule fine = UnitRule::gauss<6>(), rough = UnitRule::gauss<4>();
-    const CellCorners c = withTipFirst(corners);
-    const double departure = departureFromLinear(patch, c, water);
-    const auto isDry = [&](const CellCorner& corner) { return corner.depth < -departure; };
-    CellIntegral integral;
-    if (std::all_of(c.begin(), c.end(), isDry)) return integral;
-    integral.value = integrate(patch, c, fine, water);
-    integral.rougher = integrate(patch, c, rough, water);
-    noteDoubt(patch, c, departure, integral);
-    return integral;
+Cell makeCell(const SurfacePatch& patch, const std::array<CellPoint, 3>& corners, WaterAroundBody& water) {
+    std::vector<Vec2> places;
+    for (std::size_t i = 0; i < 3; ++i)
+        places.emplace_back((corners[i].parameters + corners[(i + 1) % 3].parameters) / 2);
+    const std::vector<double> depths = depthsAt(patch, places, water);
+    return {corners, {CellPoint{places[0], depths[0]}, {places[1], depths[1]}, {places[2], depths[2]}}};
+}
+
+std::array<Cell, 4> quarters(const SurfacePatch& patch, const Cell& cell, WaterAroundBody& water) {
+    const auto& [a, b, c] = cell.corners;
+    const auto& [ab, bc, ca] = cell.middles;
+    return {makeCell(patch, {a, ab, ca}, water), makeCell(patch, {ab, b, bc}, water),
+            makeCell(patch, {ca, bc, c}, water), makeCell(patch, {ab, bc, ca}, water)};
+}
+
+CellDoubt doubtOf(const SurfacePatch& patch, const Cell& cell, const WaterAroundBody& water) {
+    const double departure = departureFromLinear(patch, cell, water);
+    const Corners c = withTipFirst(cell.corners);
+    const auto isDry = [&](const CellPoint& corner) { return corner.depth < -departure; };
+    if (std::all_of(c.begin(), c.end(), isDry)) return {0, 0, true};
+    const double share = shareInDoubt(c, departure);
+    return {share > 0 ? share * areaOf(patch, c) : 0, 2 * departure, false};
+}
+
+WetIntegrals integrateWetPart(const SurfacePatch& patch, const Cell& cell, CellRule rule,
+                              WaterAroundBody& water) {
+    static const UnitRule three = UnitRule::gauss<3>(), five = UnitRule::gauss<5>(),
+                          eight = UnitRule::gauss<8>();
+    return integrate(patch, withTipFirst(cell.corners),
+                     rule == CellRule::three  ? three
+                     : rule == CellRule::five ? five
+                                              : eight,
+                     water);
 }
 
 }  // namespace bullet_buoyancy

@@ -1,6 +1,7 @@
 #include "bullet_buoyancy/hydrostatics/reference_patches.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -18,7 +19,9 @@ public:
 
     PatchPoint at(const Vec2& p) const override { return {m_corner + along(p), m_ab.cross(m_ac)}; }
 
-    StepBounds alongStep(const Vec2& step) const override { return {along(step).squaredNorm(), 0}; }
+    StepBounds alongStep(const ParameterTriangle&, const Vec2& step) const override {
+        return {along(step).squaredNorm(), 0};
+    }
 
 private:
     Vec3 along(const Vec2& step) const { return step.x() * m_ab + step.y() * m_ac; }
@@ -89,39 +92,64 @@ public:
                 p.radius * p.dx * outward - p.radiusTimesSlope * m_axis};
     }
 
-    StepBounds alongStep(const Vec2& step) const override {
+    /// The second derivative of position is p'' step.x^2 - radius step.y^2 in the plane of the axis and 2 r'
+    /// step.x step.y across it, with p = (x, r) along the profile. With `extra` added to the factors of the
+    /// squares, their sum is above the hypotenuse of both.
+    StepBounds alongStep(const ParameterTriangle& cell, const Vec2& step) const override {
+        const Stretch s = stretchOver(cell);
+        const double sum = s.bend + s.radius;
+        const double extra = (std::sqrt(sum * sum + 8 * s.lengthSquared) - sum) / 2;
         const Vec2 squares = step.cwiseAbs2();
-        return {squares.dot(m_lengthSquared), squares.dot(m_bend)};
+        return {squares.dot(Vec2(s.lengthSquared, s.radius * s.radius)),
+                squares.dot(Vec2(s.bend + extra, s.radius + extra))};
     }
 
 private:
-    /// The derivatives of position are p' along the profile and the radius round the axis; the second ones
-    /// p'', r' mixed and the radius. Profiles are so smooth that differences of 64 points find their largest
-    /// values to a few hundredths. The mixed one counts half for each squared coordinate of a step, twice.
+    /// Largest values over a stretch of the profile: of its radius, its squared first derivative and its
+    /// second one.
+    struct Stretch {
+        double radius = 0, lengthSquared = 0, bend = 0;
+    };
+
+    /// By differences between points so dense that profiles, which are smooth, do not change by more than the
+    /// margin in between.
     void measure() {
-        constexpr int points = 64;
-        constexpr double margin = 1.1;
-        const double h = (m_profile.end - m_profile.begin) / points;
-        double length = 0, bend = 0, mixed = 0, radius = 0;
-        for (int i = 1; i < points; ++i) {
-            const double t = m_profile.begin + i * h;
+        const double h = (m_profile.end - m_profile.begin) / stretches;
+        for (int i = 0; i <= stretches; ++i) {
+            const double t = m_profile.begin + std::clamp(i, 1, stretches - 1) * h;
             const ProfilePoint before = m_profile.at(t - h), here = m_profile.at(t),
                                after = m_profile.at(t + h);
             const double dr = (after.radius - before.radius) / (2 * h), dx = (after.x - before.x) / (2 * h);
-            length = std::max(length, dx * dx + dr * dr);
-            mixed = std::max(mixed, std::abs(dr));
-            bend = std::max(bend, std::hypot(before.x - 2 * here.x + after.x,
-                                             before.radius - 2 * here.radius + after.radius) /
-                                      (h * h));
-            radius = std::max({radius, before.radius, after.radius});
+            const double bend =
+                std::hypot(before.x - 2 * here.x + after.x, before.radius - 2 * here.radius + after.radius);
+            m_samples[std::size_t(i)] = {m_profile.at(m_profile.begin + i * h).radius, dx * dx + dr * dr,
+                                         bend / (h * h)};
         }
-        m_lengthSquared = margin * Vec2(length, radius * radius);
-        m_bend = margin * Vec2(bend + mixed, radius + mixed);
     }
+
+    Stretch stretchOver(const ParameterTriangle& cell) const {
+        const auto [first, last] = std::minmax({cell[0].x(), cell[1].x(), cell[2].x()});
+        const auto index = [&](double t) {
+            return (t - m_profile.begin) / (m_profile.end - m_profile.begin) * stretches;
+        };
+        const int from = std::max(0, int(std::floor(index(first))) - 1);
+        const int to = std::min(stretches, int(std::ceil(index(last))) + 1);
+        Stretch most;
+        for (int i = from; i <= to; ++i) {
+            const Stretch& sample = m_samples[std::size_t(i)];
+            most.radius = std::max(most.radius, sample.radius);
+            most.lengthSquared = std::max(most.lengthSquared, sample.lengthSquared);
+            most.bend = std::max(most.bend, sample.bend);
+        }
+        constexpr double margin = 1.02;
+        return {margin * most.radius, margin * most.lengthSquared, margin * most.bend};
+    }
+
+    static constexpr int stretches = 64;
 
     Vec3 m_origin, m_axis, m_first, m_second;
     Profile m_profile;
-    Vec2 m_lengthSquared, m_bend;  // for a unit step along either parameter
+    std::array<Stretch, stretches + 1> m_samples;
 };
 
 using Patches = std::vector<std::unique_ptr<const SurfacePatch>>;

@@ -32,9 +32,8 @@ public:
 
     virtual PatchPoint at(const Vec2& parameters) const = 0;
 
-    /// Hold all over the patch. Quadratic in the step, without product of its two coordinates where the patch
-    /// is curved.
-    virtual StepBounds alongStep(const Vec2& step) const = 0;
+    /// Hold all over a cell of the domain. Quadratic in the step.
+    virtual StepBounds alongStep(const ParameterTriangle& cell, const Vec2& step) const = 0;
 };
 
 /// The whole surface of a hull: a patch for each triangle, each piece of the side of a solid of revolution

@@ -9,9 +9,12 @@ namespace bullet_buoyancy {
 
 namespace {
 
-constexpr std::size_t mostCells = 20000;
+constexpr std::size_t mostQuarterings = 5000;
 
-void add(const WetIntegrals& other, WetIntegrals& sums) {
+/// Of a patch, so that one does not use up what the others need; and of a cell that is quartered later.
+constexpr std::size_t mostCellsInDoubt = 4000, mostCellsInDoubtLater = 50;
+
+void addTo(WetIntegrals& sums, const WetIntegrals& other) {
     sums.headNormal += other.headNormal;
     sums.headTorque += other.headTorque;
     sums.volume += other.volume;
@@ -24,8 +27,8 @@ void add(const WetIntegrals& other, WetIntegrals& sums) {
 }
 
 struct CellError {
-    double force;        ///< m^3
-    double overAllowed;  ///< the worst quantity's share of what the whole may err
+    double force = 0;        ///< m^3
+    double overAllowed = 0;  ///< the worst quantity's share of what the whole may err
 };
 
 /// What errors of integrals are measured by.
@@ -39,30 +42,35 @@ struct Scale {
         volume = std::max(std::abs(hull.moments.volume), 1e-6 * size * size * size);
     }
 
-    CellError errorOf(const CellIntegral& cell) const {
-        const WetIntegrals &a = cell.value, &b = cell.rougher;
-        const double force = (a.headNormal - b.headNormal).norm() + cell.areaInDoubt * cell.depthInDoubt;
-        const double pressure = std::max(
-            {force, std::abs(a.volume - b.volume), (a.headTorque - b.headTorque).norm() / size,
+    CellError errorOf(const CellDoubt& doubt) const { return weigh(doubt.area * doubt.depth, 0, doubt.area); }
+
+    /// Of a value, by another one from a lower order.
+    CellError errorOf(const WetIntegrals& a, const WetIntegrals& b) const {
+        const double others = std::max(
+            {std::abs(a.volume - b.volume), (a.headTorque - b.headTorque).norm() / size,
              (a.volumeMoment - b.volumeMoment).norm() / size, std::abs(a.headVolume - b.headVolume) / size});
         const double areas =
             std::max({std::abs(a.wettedArea - b.wettedArea), std::abs(a.waterplane.area - b.waterplane.area),
                       (a.waterplane.firstMoment - b.waterplane.firstMoment).norm() / size,
-                      (a.waterplane.secondMoment - b.waterplane.secondMoment).norm() / (size * size)}) +
-            cell.areaInDoubt;
-        return {force,
-                std::max(pressure / (tolerance.pressure * volume), areas / (tolerance.areas * size * size))};
+                      (a.waterplane.secondMoment - b.waterplane.secondMoment).norm() / (size * size)});
+        return weigh((a.headNormal - b.headNormal).norm(), others, areas);
+    }
+
+private:
+    CellError weigh(double force, double others, double areas) const {
+        return {force, std::max(std::max(force, others) / (tolerance.pressure * volume),
+                                areas / (tolerance.areas * size * size))};
     }
 };
 
-struct Cell {
+struct IntegratedCell {
     const SurfacePatch* patch;
-    CellCorners corners;
+    Cell cell;
     WetIntegrals value;
     CellError error;
 };
 
-bool isBetter(const Cell& a, const Cell& b) {
+bool isBetter(const IntegratedCell& a, const IntegratedCell& b) {
     return a.error.overAllowed < b.error.overAllowed;
 }
 
@@ -73,60 +81,77 @@ public:
         : m_water(water), m_scale(hull, tolerance) {}
 
     void addPatch(const SurfacePatch& patch) {
+        std::vector<Cell> cells;
         for (const ParameterTriangle& triangle : patch.domain()) {
-            const std::array<double, 3> depths = depthsOf(patch, triangle);
-            addCell(patch, {CellCorner{triangle[0], depths[0]}, CellCorner{triangle[1], depths[1]},
-                            CellCorner{triangle[2], depths[2]}});
+            const std::vector<double> depths =
+                m_water.depths({patch.at(triangle[0]).position, patch.at(triangle[1]).position,
+                                patch.at(triangle[2]).position});
+            cells.push_back(makeCell(patch,
+                                     {CellPoint{triangle[0], depths[0]}, CellPoint{triangle[1], depths[1]},
+                                      CellPoint{triangle[2], depths[2]}},
+                                     m_water));
         }
+        add(patch, std::move(cells), mostCellsInDoubt);
     }
 
     void refine() {
-        while (m_overAllowed > 1 && m_cells.size() < mostCells)
-            quarterWorst();
+        for (std::size_t i = 0; m_overAllowed > 1 && i < mostQuarterings; ++i) {
+            std::pop_heap(m_cells.begin(), m_cells.end(), isBetter);
+            const IntegratedCell worst = m_cells.back();
+            m_cells.pop_back();
+            m_overAllowed -= worst.error.overAllowed;
+            const std::array<Cell, 4> children = quarters(*worst.patch, worst.cell, m_water);
+            add(*worst.patch, {children.begin(), children.end()}, mostCellsInDoubtLater);
+        }
     }
 
     ReferenceIntegrals sum() const {
         ReferenceIntegrals result;
-        for (const Cell& cell : m_cells) {
-            add(cell.value, result.wet);
+        for (const IntegratedCell& cell : m_cells) {
+            addTo(result.wet, cell.value);
             result.error += cell.error.force;
         }
         return result;
     }
 
 private:
-    std::array<double, 3> depthsOf(const SurfacePatch& patch, const ParameterTriangle& corners) {
-        const std::vector<double> depths = m_water.depths(
-            {patch.at(corners[0]).position, patch.at(corners[1]).position, patch.at(corners[2]).position});
-        return {depths[0], depths[1], depths[2]};
+    /// Quarters what is in doubt before it is worth to be integrated.
+    void add(const SurfacePatch& patch, std::vector<Cell> cells, std::size_t most) {
+        constexpr double worthIt = 1e-2;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const Cell cell = cells[i];
+            const CellDoubt doubt = doubtOf(patch, cell, m_water);
+            if (doubt.isDry) continue;
+            const CellError error = m_scale.errorOf(doubt);
+            if (error.overAllowed < worthIt || cells.size() > most) {
+                addIntegrated(patch, cell, error);
+                continue;
+            }
+            const std::array<Cell, 4> children = quarters(patch, cell, m_water);
+            cells.insert(cells.end(), children.begin(), children.end());
+        }
     }
 
-    void addCell(const SurfacePatch& patch, const CellCorners& corners) {
-        const CellIntegral integral = integrateCell(patch, corners, m_water);
-        m_cells.push_back({&patch, corners, integral.value, m_scale.errorOf(integral)});
-        m_overAllowed += m_cells.back().error.overAllowed;
+    void addIntegrated(const SurfacePatch& patch, const Cell& cell, const CellError& ofDoubt) {
+        constexpr double goodEnough = 1e-2;
+        const WetIntegrals rough = integrateWetPart(patch, cell, CellRule::three, m_water);
+        WetIntegrals value = integrateWetPart(patch, cell, CellRule::five, m_water);
+        CellError error = m_scale.errorOf(value, rough);
+        if (error.overAllowed > goodEnough) {
+            const WetIntegrals finest = integrateWetPart(patch, cell, CellRule::eight, m_water);
+            error = m_scale.errorOf(finest, value);
+            value = finest;
+        }
+        error.force += ofDoubt.force;
+        error.overAllowed += ofDoubt.overAllowed;
+        m_overAllowed += error.overAllowed;
+        m_cells.push_back({&patch, cell, value, error});
         std::push_heap(m_cells.begin(), m_cells.end(), isBetter);
-    }
-
-    void quarterWorst() {
-        std::pop_heap(m_cells.begin(), m_cells.end(), isBetter);
-        const SurfacePatch& patch = *m_cells.back().patch;
-        const auto [a, b, c] = m_cells.back().corners;
-        m_overAllowed -= m_cells.back().error.overAllowed;
-        m_cells.pop_back();
-        const ParameterTriangle middles{(a.parameters + b.parameters) / 2, (b.parameters + c.parameters) / 2,
-                                        (c.parameters + a.parameters) / 2};
-        const std::array<double, 3> depths = depthsOf(patch, middles);
-        const CellCorner ab{middles[0], depths[0]}, bc{middles[1], depths[1]}, ca{middles[2], depths[2]};
-        addCell(patch, {a, ab, ca});
-        addCell(patch, {ab, b, bc});
-        addCell(patch, {ca, bc, c});
-        addCell(patch, {ab, bc, ca});
     }
 
     WaterAroundBody& m_water;
     Scale m_scale;
-    std::vector<Cell> m_cells;
+    std::vector<IntegratedCell> m_cells;
     double m_overAllowed = 0;  // of all cells
 };
 

@@ -20,8 +20,9 @@ struct ReferenceIntegrals {
 };
 
 /// What waves do to a hull, open or closed, by pressure over its surface: cells of its patches are quartered,
-/// the worst one first, until the sum of their errors is within the tolerance, or 20,000 are reached (where a
-/// face coincides with the surface, what is wet cannot be told).
+/// the worst one first, until the sum of their errors is within the tolerance. Gives up after some ten
+/// thousand cells, where a face or a line of the hull so nearly coincides with the surface that what is wet
+/// cannot be told: then areas are wrong, the force hardly, and `error` says by how much.
 ReferenceIntegrals integrateInWaves(const Hull& hull, WaterAroundBody& water,
                                     const ReferenceTolerance& tolerance = {});
 
