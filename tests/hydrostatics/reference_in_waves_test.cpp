@@ -359,7 +359,8 @@ TEST(ReferenceInWaves, ATighterToleranceChangesNoMoreThanTheLooserOneAllowed) {
             const HydrostaticQuery query = at(3, model);
             const auto within = [&](const ReferenceTolerance& tolerance) {
                 WaterAroundBody water(pose, seaway(), query);
-                return toResult(integrateInWaves(hull, water, tolerance).wet, pose, seaway(), query);
+                return toResult(integrateInWaves(hull, water, tolerance).wet, pose, seaway(), query,
+                                water.upInBody());
             };
             const HydrostaticResult usual = evaluateReference(hull, pose, seaway(), query);
             const HydrostaticResult tight = within({1e-10, 1e-8}), loose = within({1e-5, 1e-3});
