@@ -6,7 +6,7 @@
 
 #include "support/near.h"
 #include "water/field_checks.h"
-#include "water/random_waves.h"
+#include "support/random_waves.h"
 
 namespace bullet_buoyancy::test {
 namespace {

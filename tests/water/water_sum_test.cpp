@@ -10,7 +10,7 @@
 #include "bullet_buoyancy/water/gerstner_waves.h"
 #include "support/near.h"
 #include "water/field_checks.h"
-#include "water/random_waves.h"
+#include "support/random_waves.h"
 
 namespace bullet_buoyancy::test {
 namespace {

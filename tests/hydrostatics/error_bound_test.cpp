@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
+#include "support/known_solids.h"
+#include "support/random_sea.h"
+#include "support/worst_difference.h"
+
+namespace bullet_buoyancy::test {
+namespace {
+
+/// What the reference leaves undecided, of the weight of water that the hull displaces.
+constexpr double ofReference = 2e-8;
+
+struct Case {
+    const NamedHull* hull;
+    RandomSea sea;
+    Pose pose;
+    HydrostaticQuery query;
+    HydrostaticResult result, truth;
+
+    double weight() const {
+        return sea.water->density() * query.gravity * hull->hull->moments.volume;
+    }
+    double error() const { return (result.forceWorld - truth.forceWorld).norm() / weight(); }
+    double bound() const { return result.forceErrorBound / weight(); }
+};
+
+/// With its bounding sphere across the surface of the sea, anywhere within 100 m.
+Pose poseAcross(const WaterField& water, const Hull& hull, double time, Random& random) {
+    const WaterFrame& frame = water.frame();
+    Eigen::ArrayX2d point(1, 2);
+    point << random.uniform(-100, 100), random.uniform(-100, 100);
+    Eigen::ArrayX3d surface(1, 3);
+    water.sampleSurface(point, time, surface);
+    const double height = surface(0, 0) + random.uniform(-1, 1) * hull.bounds.radius;
+    Pose pose;
+    pose.orientation = random.orientation();
+    pose.position = frame.originWorld() +
+                    frame.worldFromFrame() * Vec3(point(0, 0), point(0, 1), height) -
+                    pose.orientation * hull.bounds.centre;
+    return pose;
+}
+
+std::vector<NamedHull> allHulls() {
+    std::vector<NamedHull> hulls = polyhedra();
+    for (const NamedHull& solid : smoothSolids())
+        hulls.push_back(solid);
+    return hulls;
+}
+
+/// Calls `visit` with 10,000 cases: each hull in each sort of sea in turn, at tolerances of 1e-1 to 1e-5.
+template <typename Visit>
+void visitCases(PressureModel pressure, int count, const Visit& visit) {
+    const std::vector<NamedHull> hulls = allHulls();
+    Random random(20261124);
+    for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        Case c;
+        c.hull = &hulls[i % hulls.size()];
+        c.sea = randomSea(i / hulls.size(), random);
+        c.query.pressure = pressure;
+        c.query.time = random.uniform(0, 1000);
+        c.query.tolerance = std::pow(10, random.uniform(-5, -1));
+        c.pose = poseAcross(*c.sea.water, *c.hull->hull, c.query.time, random);
+        c.result = evaluateExact(*c.hull->hull, c.pose, *c.sea.water, c.query);
+        c.truth = evaluateReference(*c.hull->hull, c.pose, *c.sea.water, c.query);
+        visit(c);
+    }
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+TEST(ErrorBound, HoldsInEveryCaseAndIsNotFarFromTheError) {
+    std::vector<double> ratios;
+    std::map<std::string, std::vector<double>> of;
+    visitCases(PressureModel::hydrostatic, posesAHull(), [&](const Case& c) {
+        EXPECT_LE(c.error(), c.bound() + ofReference)
+            << c.hull->name << " in " << c.sea.kind << ", tolerance " << c.query.tolerance;
+        if (c.error() < 10 * ofReference) return;  // the reference cannot tell the ratio
+        ratios.push_back(c.bound() / c.error());
+        of[c.hull->name].push_back(ratios.back());
+        of[c.sea.kind].push_back(ratios.back());
+    });
+    if (std::getenv("SHOW")) for (auto& [name, r] : of) std::printf("%-30s %zu median %.1f\n", name.c_str(), r.size(), median(r));
+    std::printf("all %zu %.2f\n", ratios.size(), median(ratios));
+    EXPECT_LT(median(ratios), 30);
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::test
