@@ -190,7 +190,8 @@ Quadratic difference(const Quadratic& q, const Vec3& offset, double value, const
 double strayedWithin(double reach, const WaterExpansion& expansion, const Vec3& touched,
                      const WaterPatch& water) {
     const double bend = std::max(expansion.head.bend.norm(), expansion.depth.bend.norm());
-    return bend / 2 * reach * reach + water.errorWithin((touched - expansion.centre).norm() + reach);
+    return bend / 2 * reach * reach +
+           water.errorWithin(expansion, (touched - expansion.centre).norm() + reach);
 }
 
 /// Distances from the middle of a solid, in space or, where only that counts, in plan.
@@ -259,7 +260,7 @@ void addSphereInWaves(const Sphere& sphere, const WaterPatch& water, const Hydro
     const auto wetHeight = [&](double raised) { return std::clamp(distance + raised + r, 0.0, 2 * r); };
     const double band = strayed / tangent.steepnessUpright;
     const double bandArea = 2 * pi * r * (wetHeight(band) - wetHeight(-band));
-    const double error = water.errorWithin((sphere.centre - expansion.centre).norm() + r);
+    const double error = water.errorWithin(expansion, (sphere.centre - expansion.centre).norm() + r);
     integrals.lastingError += Vec3::Constant(error * 2 * pi * r * wetHeight(band) + strayed * bandArea);
 }
 

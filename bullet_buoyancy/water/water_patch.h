@@ -77,7 +77,9 @@ public:
     double errorAt(const WaterExpansion& expansion, const Vec3& pointInBody) const;
 
     /// The same within a distance (m) from its centre.
-    double errorWithin(double distance) const { return m_error.at(distance * distance); }
+    double errorWithin(const WaterExpansion&, double distance) const {
+        return m_error.at(distance * distance);
+    }
 
     const Vec3& upInBody() const { return m_up; }
     PressureModel pressure() const { return m_pressure; }
