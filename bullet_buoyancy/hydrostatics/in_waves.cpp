@@ -28,7 +28,7 @@ public:
         m_isDry = height - hull.bounds.radius >= water.bounds.elevation;
         m_isUnder = hull.meshIsClosed && height + hull.bounds.radius <= -water.bounds.elevation;
         const double above = std::min(height + water.bounds.elevation, 0.0) + hull.bounds.radius;
-        m_error = expansionError(water, std::max(0.0, above));
+        m_above = std::max(0.0, above);
         m_tolerance = std::max(query.tolerance, smallestTolerance) * hull.moments.volume;
     }
 
@@ -50,22 +50,23 @@ private:
     /// if that is not enough.
     bool addUnder(WetIntegrals& integrals) {
         const VolumeMoments& all = m_hull.moments;
-        const Vec3 centre = all.centroid();
-        const Mat3 spread = moved(all, -centre).secondMoment;
-        // Of the gradient: coefficient power distance^(power - 1).
-        const double distance2 = spread.trace() - (m_error.horizontal ? m_up.dot(spread * m_up) : 0);
-        const double error = m_error.power == 3 ? 3 * m_error.coefficient * distance2
-                                                : 2 * m_error.coefficient * std::sqrt(all.volume * distance2);
-        if (error > m_tolerance) return false;
-        const WaterPatch patch(m_water, {centre, Vec3::Zero()}, m_error, infinity);
+        const Vec3 centre = all.centroid(), offset = (centre - m_hull.bounds.centre).cwiseAbs();
+        const WaterPatch patch(m_water, {centre, m_hull.halfExtents + offset}, 0, infinity);
         note(patch, integrals);
-        const Quadratic& head = patch.near(centre).head;
-        const Vec3 force = all.volume * head.gradient;
+        const WaterExpansion& water = patch.near(centre);
+        const Mat3 spread = moved(all, -centre).secondMoment;
+        const bool inPlan = m_water.pressure == PressureModel::hydrostatic;
+        const double distance2 = spread.trace() - (inPlan ? m_up.dot(spread * m_up) : 0);
+        // Of the gradient, integrated over the volume.
+        const double error = 2 * water.error.second * std::sqrt(all.volume * distance2) +
+                             (3 * water.error.third + 4 * water.error.fourth * patch.reach()) * distance2;
+        if (error > m_tolerance) return false;
+        const Vec3 force = all.volume * water.head.gradient;
         integrals.headNormal += force;
-        integrals.headTorque += centre.cross(force) + crossOf(spread * head.bend);
+        integrals.headTorque += centre.cross(force) + crossOf(spread * water.head.bend);
         integrals.volume += all.volume;
         integrals.volumeMoment += all.firstMoment;
-        integrals.headVolume += all.volume * head.value + (spread * head.bend).trace() / 2;
+        integrals.headVolume += all.volume * water.head.value + (spread * water.head.bend).trace() / 2;
         integrals.wettedArea += m_query.wettedArea ? m_hull.surfaceArea : 0;
         integrals.error += Vec3::Constant(error / std::sqrt(3.0));
         return true;
@@ -74,32 +75,48 @@ private:
     /// The integral of r x (bend r), from that of r r^T times the bend.
     static Vec3 crossOf(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
 
-    /// With cells that are made smaller until the bound is within the tolerance, or is one that lasts, or
-    /// there are as many as there may be.
+    /// With one cell if that may do, and else with cells that are made smaller until the bound is within the
+    /// tolerance, or is one that lasts, or there are as many as there may be.
     void addWithin(WetIntegrals& integrals) {
-        double reach = m_error.reach(0.7 * allowedHeadError() / meanErrorOverLargest);
+        const WaterPatch one(m_water, box(), m_above, infinity);
+        note(one, integrals);
+        if (meanError(one) <= allowedHeadError() && addWith(one, integrals) <= 1) return;
+        double reach = one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest);
         constexpr int mostAttempts = 4;
         for (int attempt = 1;; ++attempt) {
-            WetIntegrals now = integrals;
-            const WaterPatch patch(m_water, box(), m_error, reach);
-            note(patch, now);
-            addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
-            addSolids(patch, allowedHeadError(), now);
-            const double lasting = now.lastingError.norm();
-            const double excess = now.error.norm() / std::max(m_tolerance - lasting, lasting / 4);
-            if (excess <= 1 || attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2) {
-                integrals = now;
-                return;
-            }
-            integrals.samples = now.samples;
-            reach = std::min(reach, patch.cell().norm() / 2) / (1.2 * std::pow(excess, 1.0 / m_error.power));
+            const WaterPatch patch(m_water, box(), m_above, std::min(reach, one.reach() / 2));
+            note(patch, integrals);
+            const bool isLast = attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2;
+            const double excess = addWith(patch, integrals, isLast);
+            if (excess <= 1 || isLast) return;
+            reach = patch.reach() / (1.2 * std::cbrt(excess));
         }
+    }
+
+    double meanError(const WaterPatch& one) const {
+        return meanErrorOverLargest * one.errorWithin(one.near(m_hull.bounds.centre), one.reach());
+    }
+
+    /// Adds what the hull has in the patch, unless the bound of the error is too large and may yet be made
+    /// smaller. Returns what it is too large by.
+    double addWith(const WaterPatch& patch, WetIntegrals& integrals, bool whatever = false) const {
+        WetIntegrals now = integrals;
+        addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
+        addSolids(patch, allowedHeadError(), now);
+        const double lasting = now.lastingError.norm();
+        const double excess = now.error.norm() / std::max(m_tolerance - lasting, lasting / 4);
+        if (excess <= 1 || whatever) integrals = now;
+        return excess;
     }
 
     void addByCorners(WetIntegrals& integrals) {
         integrals.samples += addMeshByCorners(m_hull.mesh, m_water, m_query, integrals);
-        const WaterPatch patch(m_water, box(), m_error,
-                               m_error.reach(allowedHeadError() / meanErrorOverLargest));
+        if (m_hull.spheres.empty() && m_hull.solids.empty()) return;
+        const WaterPatch one(m_water, box(), m_above, infinity);
+        note(one, integrals);
+        const WaterPatch patch(
+            m_water, box(), m_above,
+            one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest));
         note(patch, integrals);
         addSolids(patch, allowedHeadError(), integrals);
     }
@@ -121,9 +138,9 @@ private:
     const HydrostaticQuery& m_query;
     Vec3 m_up;
     bool m_isDry, m_isUnder;
-    ExpansionError m_error;
+    double m_above;      // the hull's highest point over the surface, at most, m
     double m_tolerance;  // of the force over density and gravity, m^3
-    Vec3 m_pushes;
+    Vec3 m_pushes = m_up;
 };
 
 }  // namespace

@@ -104,9 +104,12 @@ public:
             return HeadPoint{p, depth, isHydrostatic() ? depth : water.headAt(p)};
         };
         const Corners p{corner(a), corner(b), corner(c)};
-        const std::array<double, 3> error{m_water.errorAt(water, a), m_water.errorAt(water, b),
-                                          m_water.errorAt(water, c)};
-        const double largestError = std::max({error[0], error[1], error[2]});
+        const std::array<double, 3> distance2{m_water.distanceSquared(water, a),
+                                              m_water.distanceSquared(water, b),
+                                              m_water.distanceSquared(water, c)};
+        const double farthest2 = std::max({distance2[0], distance2[1], distance2[2]});
+        const ExpansionError& error = m_water.errorOf(water, farthest2);
+        const double largestError = error.at(farthest2);
         Bubble bubble(p, water.head.bend);
         if (!isHydrostatic()) bubble.largest = std::max(bubble.largest, Bubble(p, water.depth.bend).largest);
         const double strayed = largestError + bubble.largest;
@@ -125,9 +128,11 @@ public:
             addWetTriangle(q, r, s, m_water.upInBody(), m_query, m_integrals);
             if (isBent) addBend({q, r, s}, water, m_water.upInBody(), m_integrals);
         });
-        // The distances' powers are convex: over the triangle their mean is at most that of the corners.
+        // The error is convex: over the triangle its mean is at most that of the corners.
+        const double ofCorners =
+            (error.at(distance2[0]) + error.at(distance2[1]) + error.at(distance2[2])) / 3;
         const double share = wetShareBelow(p, strayed);
-        const double meanError = std::min((error[0] + error[1] + error[2]) / 3, share * largestError);
+        const double meanError = std::min(ofCorners, share * largestError);
         const double leftOut = isBent ? 0 : std::min(bubble.mean, share * bubble.largest);
         const Vec3 area = areaVectorOf(p).cwiseAbs();
         m_integrals.error += (meanError + leftOut) * area;

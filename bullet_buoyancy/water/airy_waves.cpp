@@ -19,8 +19,14 @@ WaterBounds boundsOf(const std::vector<WaveComponent>& components) {
     bounds.slope = waveMoment(components, 1);
     bounds.curvature = waveMoment(components, 2);
     bounds.curvatureChange = waveMoment(components, 3);
+    bounds.curvatureChangeGrowth = waveMoment(components, 4);
     bounds.still = bounds.elevation == 0;
     return bounds;
+}
+
+/// Along any direction, by the inequality of Cauchy and Schwarz with the direction's own third power.
+double thirdDerivativeBound(double xxx, double xxy, double xyy, double yyy) {
+    return std::sqrt(xxx * xxx + 3 * (xxy * xxy + xyy * xyy) + yyy * yyy);
 }
 
 }  // namespace
@@ -71,6 +77,7 @@ void AiryWaves::expandSurface(HorizontalPoints points, double time, SurfaceExpan
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
         Lanes elevation = Lanes::Zero(), slopeX = elevation, slopeY = elevation;
         Lanes bendXX = elevation, bendXY = elevation, bendYY = elevation;
+        Lanes thirdXXX = elevation, thirdXXY = elevation, thirdXYY = elevation, thirdYYY = elevation;
         for (const WaveLanes& waves : m_lanes) {
             waves.sinCosAt(points(row, 0), points(row, 1), time, sine, cosine);
             sine *= waves.amplitude;
@@ -78,12 +85,20 @@ void AiryWaves::expandSurface(HorizontalPoints points, double time, SurfaceExpan
             elevation += cosine;
             slopeX -= waves.wavenumberX * sine;
             slopeY -= waves.wavenumberY * sine;
-            bendXX -= waves.wavenumberX * waves.wavenumberX * cosine;
-            bendXY -= waves.wavenumberX * waves.wavenumberY * cosine;
-            bendYY -= waves.wavenumberY * waves.wavenumberY * cosine;
+            const Lanes squareX = waves.wavenumberX * waves.wavenumberX,
+                        product = waves.wavenumberX * waves.wavenumberY,
+                        squareY = waves.wavenumberY * waves.wavenumberY;
+            bendXX -= squareX * cosine;
+            bendXY -= product * cosine;
+            bendYY -= squareY * cosine;
+            thirdXXX += squareX * waves.wavenumberX * sine;
+            thirdXXY += squareX * waves.wavenumberY * sine;
+            thirdXYY += squareY * waves.wavenumberX * sine;
+            thirdYYY += squareY * waves.wavenumberY * sine;
         }
         expansions.row(row) << elevation.sum(), slopeX.sum(), slopeY.sum(), bendXX.sum(), bendXY.sum(),
-            bendYY.sum();
+            bendYY.sum(),
+            thirdDerivativeBound(thirdXXX.sum(), thirdXXY.sum(), thirdXYY.sum(), thirdYYY.sum());
     }
 }
 

@@ -132,7 +132,8 @@ void GerstnerWaves::expandSurface(HorizontalPoints points, double time, SurfaceE
         bend << q[0], q[1], q[1], q[2];
         const Eigen::Matrix2d restFromPlace = at.restFromPlace();
         bend = restFromPlace.transpose() * bend * restFromPlace;
-        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend(0, 0), bend(0, 1), bend(1, 1);
+        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend(0, 0), bend(0, 1), bend(1, 1),
+            m_bounds.curvatureChange;
     }
 }
 

@@ -40,8 +40,8 @@ double largest(const Eigen::MatrixBase<Control>& control) {
 }
 
 /// The largest values of the surface and its derivatives over one cell of unit size: those of a polynomial
-/// are no larger than its control points.
-void widen(WaterBounds& bounds, const Eigen::Matrix4d& control) {
+/// are no larger than its control points. Returns the curvature.
+double widen(WaterBounds& bounds, const Eigen::Matrix4d& control) {
     const Eigen::Matrix<double, 3, 4> alongX = 3 * (control.bottomRows<3>() - control.topRows<3>());
     const Eigen::Matrix<double, 4, 3> alongY = 3 * (control.rightCols<3>() - control.leftCols<3>());
     const double xx = largest(2 * (alongX.bottomRows<2>() - alongX.topRows<2>()));
@@ -52,6 +52,7 @@ void widen(WaterBounds& bounds, const Eigen::Matrix4d& control) {
     bounds.elevation = std::max(bounds.elevation, largest(control));
     bounds.slope = std::max(bounds.slope, std::hypot(largest(alongX), largest(alongY)));
     bounds.curvature = std::max(bounds.curvature, curvature);
+    return curvature;
 }
 
 int wrapped(int index, int count) {
@@ -118,14 +119,39 @@ Eigen::Matrix4d HeightGrid::patch(const std::vector<double>& values, int cellX, 
 void HeightGrid::measure() {
     static const Eigen::Matrix4d toBezier = bezierFromNodes();
     m_bounds = {};
-    const int first = m_def.periodic ? 0 : -1;
-    for (int y = first; y < m_def.nodesY; ++y)
-        for (int x = first; x < m_def.nodesX; ++x)
-            widen(m_bounds, toBezier * patch(m_heights, x, y) * toBezier.transpose());
+    m_curvatures.clear();
+    const double perSquare = 1 / (m_def.spacing * m_def.spacing);
+    for (int y = firstCell(); y < m_def.nodesY; ++y)
+        for (int x = firstCell(); x < m_def.nodesX; ++x) {
+            const double curvature =
+                widen(m_bounds, toBezier * patch(m_heights, x, y) * toBezier.transpose());
+            m_curvatures.push_back(curvature * perSquare);
+        }
     m_bounds.slope /= m_def.spacing;
-    m_bounds.curvature /= m_def.spacing * m_def.spacing;
+    m_bounds.curvature *= perSquare;
     if (m_bounds.isFlat()) m_bounds.curvatureChange = 0;
     m_bounds.still = !m_def.moves;
+}
+
+/// Of the cells that the circle's square touches.
+double HeightGrid::curvatureNear(const Vec2& point, double radius, double) const {
+    const int perRow = m_def.nodesX - firstCell();
+    const auto cellAt = [&](double place) { return int(std::floor(std::clamp(place, -1e6, 1e6))); };
+    const Vec2 low = (point - Vec2::Constant(radius) - m_def.origin) / m_def.spacing,
+               high = (point + Vec2::Constant(radius) - m_def.origin) / m_def.spacing;
+    const int lastX = cellAt(high.x()), lastY = cellAt(high.y());
+    constexpr int mostCells = 6;  // along either direction
+    if (lastX - cellAt(low.x()) >= mostCells || lastY - cellAt(low.y()) >= mostCells)
+        return m_bounds.curvature;
+    double curvature = 0;
+    for (int y = cellAt(low.y()); y <= lastY; ++y)
+        for (int x = cellAt(low.x()); x <= lastX; ++x) {
+            const int i = m_def.periodic ? wrapped(x, m_def.nodesX) : std::clamp(x + 1, 0, perRow - 1);
+            const int j = m_def.periodic ? wrapped(y, m_def.nodesY) : std::clamp(y + 1, 0, m_def.nodesY);
+            curvature =
+                std::max(curvature, m_curvatures[std::size_t(i) + std::size_t(j) * std::size_t(perRow)]);
+        }
+    return curvature;
 }
 
 /// Value and derivatives along x and y.

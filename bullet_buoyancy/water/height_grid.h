@@ -36,10 +36,13 @@ public:
     WaterStatus setHeights(const float* heights, const float* rates = nullptr);
 
     WaterBounds bounds() const override { return m_bounds; }
+    double curvatureNear(const Vec2& point, double radius, double time) const override;
     void sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const override;
     void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;
 
 private:
+    int firstCell() const { return m_def.periodic ? 0 : -1; }
+
     template <typename Number>
     WaterStatus copy(const Number* heights, const Number* rates);
     Eigen::Matrix4d patch(const std::vector<double>& values, int cellX, int cellY) const;
@@ -48,6 +51,7 @@ private:
 
     HeightGridDef m_def;
     std::vector<double> m_heights, m_rates;
+    std::vector<double> m_curvatures;  // of the cells, those beyond the edges first
     WaterStatus m_status;
     WaterBounds m_bounds;
 };

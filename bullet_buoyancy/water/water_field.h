@@ -14,6 +14,9 @@ struct WaterBounds {
     /// Largest third derivative of the elevation along any horizontal direction, 1/m^2; infinite where it is
     /// not known or the curvature jumps.
     double curvatureChange = std::numeric_limits<double>::infinity();
+    /// How fast the largest third derivative grows with distance from a point at which it is told (see
+    /// `expandSurface`), 1/m^3.
+    double curvatureChangeGrowth = 0;
     bool still = true;  ///< no water moves: bodies at rest may sleep
 
     bool isFlat() const { return slope == 0 && curvature == 0; }
@@ -22,8 +25,9 @@ struct WaterBounds {
 /// Batches, structure of arrays: one row a point, one contiguous column a coordinate, in the water's frame.
 using HorizontalPoints = Eigen::Ref<const Eigen::ArrayX2d>;  ///< x, y in m
 using SurfaceSamples = Eigen::Ref<Eigen::ArrayX3d>;  ///< elevation in m, its slopes along x and y in m/m
-/// Elevation in m, slopes along x and y, second derivatives along xx, xy, yy in 1/m.
-using SurfaceExpansions = Eigen::Ref<Eigen::Array<double, Eigen::Dynamic, 6>>;
+/// Elevation in m, slopes along x and y, second derivatives along xx, xy, yy in 1/m, and an upper bound of
+/// the third derivative along any direction at the point, 1/m^2.
+using SurfaceExpansions = Eigen::Ref<Eigen::Array<double, Eigen::Dynamic, 7>>;
 /// Head in m, its first derivatives along x, y, s, its second ones along xx, xy, yy, xs, ys, ss in 1/m.
 using HeadExpansions = Eigen::Ref<Eigen::Array<double, Eigen::Dynamic, 10>>;
 using WaterPoints = Eigen::Ref<const Eigen::ArrayX3d>;  ///< x, y, z in m
@@ -50,6 +54,10 @@ public:
     /// The same with second derivatives. Asked for only where `bounds().curvatureChange` is finite; a field
     /// that cannot tell need not override it.
     virtual void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const;
+
+    /// Upper bound of the second derivative along any direction within `radius` (m) of a point (x, y in m),
+    /// 1/m. Asked for only where `bounds().curvatureChange` is infinite.
+    virtual double curvatureNear(const Vec2& point, double radius, double time) const;
 
     /// What the waves add to the head of water at rest (pressure over density and gravity) at points x, y and
     /// s, the height above the instantaneous surface (below zero under water; Wheeler 1970): the elevation at

@@ -7,15 +7,15 @@ namespace bullet_buoyancy {
 
 namespace {
 
-/// Half of a cell's diagonal, in space or in plan, from the length of each of its edges there.
-double reachOf(const Vec3& edges, const Eigen::Array3i& counts) {
+/// Half of a box's diagonal, no less than in plan.
+double halfDiagonal(const Vec3& edges, const Eigen::Array3i& counts) {
     return edges.cwiseQuotient(counts.matrix().cast<double>()).norm() / 2;
 }
 
 /// Divides the longest edges until the cells are small enough.
 Eigen::Array3i countsFor(const Vec3& edges, double reach) {
     Eigen::Array3i counts = Eigen::Array3i::Ones();
-    while (reachOf(edges, counts) > reach) {
+    while (halfDiagonal(edges, counts) > reach) {
         Eigen::Index longest = 0;
         edges.cwiseQuotient(counts.matrix().cast<double>()).maxCoeff(&longest);
         ++counts[longest];
@@ -27,7 +27,8 @@ Eigen::Array3i countsFor(const Vec3& edges, double reach) {
     return counts;
 }
 
-using SurfaceRow = Eigen::Array<double, 1, 6>;
+using CellHeads = Eigen::Array<double, Eigen::Dynamic, 10, Eigen::ColMajor, WaterPatch::mostCells, 10>;
+using SurfaceRow = Eigen::Array<double, 1, 7>;
 using HeadRow = Eigen::Array<double, 1, 10>;
 
 Mat3 symmetric(double xx, double xy, double yy, double xz, double yz, double zz) {
@@ -60,13 +61,18 @@ Quadratic turned(const Quadratic& q, const Mat3& bodyFromFrame) {
 
 }  // namespace
 
-double ExpansionError::at(double distanceSquared) const {
-    return coefficient * (power == 2 ? distanceSquared : distanceSquared * std::sqrt(distanceSquared));
-}
-
 double ExpansionError::reach(double error) const {
-    if (!(coefficient > 0)) return std::numeric_limits<double>::infinity();
-    return power == 2 ? std::sqrt(error / coefficient) : std::cbrt(error / coefficient);
+    if (!(second > 0 || third > 0 || fourth > 0)) return std::numeric_limits<double>::infinity();
+    // From above, where each term alone would reach: Newton's method on a convex function stays above.
+    double distance = std::numeric_limits<double>::infinity();
+    if (second > 0) distance = std::min(distance, std::sqrt(error / second));
+    if (third > 0) distance = std::min(distance, std::cbrt(error / third));
+    if (fourth > 0) distance = std::min(distance, std::sqrt(std::sqrt(error / fourth)));
+    for (int i = 0; i < 4; ++i) {
+        const double slope = distance * (2 * second + distance * (3 * third + distance * 4 * fourth));
+        distance -= (at(distance * distance) - error) / slope;
+    }
+    return distance;
 }
 
 /// Of -z + f(x, y, z - elevation), along a unit vector: f answers to a horizontal part of up to 1 and to a
@@ -78,68 +84,86 @@ double headBend(const WaterView& water) {
     return bounds.curvature * (steep * steep + bounds.slope);
 }
 
-ExpansionError expansionError(const WaterView& water, double above) {
-    const bool hydrostatic = water.pressure == PressureModel::hydrostatic;
-    double change = water.bounds.curvatureChange;
-    if (!hydrostatic) change = std::max(change, water.field.headCurvatureChange(above));
-    if (std::isfinite(change)) return {change / 6, 3, hydrostatic};
-    return {headBend(water) / 2, 2, hydrostatic};
-}
-
-namespace {
-
-using Points = Eigen::Array<double, Eigen::Dynamic, 3, Eigen::ColMajor, WaterPatch::mostCells, 3>;
-using Surfaces = Eigen::Array<double, Eigen::Dynamic, 6, Eigen::ColMajor, WaterPatch::mostCells, 6>;
-using Heads = Eigen::Array<double, Eigen::Dynamic, 10, Eigen::ColMajor, WaterPatch::mostCells, 10>;
-
-}  // namespace
-
-WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, const ExpansionError& error, double reach)
-    : m_up(water.upInBody()), m_pressure(water.pressure), m_error(error) {
-    const Mat3 bodyFromFrame =
-        water.pose.orientation.conjugate().toRotationMatrix() * water.field.frame().worldFromFrame();
+/// Cells of the box, and where their centres are.
+void WaterPatch::place(const BodyBox& box, double reach) {
     Vec3 edges = 2 * box.halfExtents;
-    if (error.horizontal)
+    if (m_pressure == PressureModel::hydrostatic)
         edges = edges.cwiseProduct((Vec3::Ones() - m_up.cwiseAbs2()).cwiseMax(0).cwiseSqrt());
     m_counts = countsFor(edges, reach);
     m_lowest = box.centre - box.halfExtents;
     m_cell = 2 * box.halfExtents.cwiseQuotient(m_counts.matrix().cast<double>());
-
-    const int count = cellCount();
-    const Vec3 origin = water.field.frame().pointFromWorld(water.pose.position);
-    Points points(count, 3);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < cellCount(); ++i) {
         const Eigen::Array3d index(i % m_counts[0], i / m_counts[0] % m_counts[1],
                                    i / (m_counts[0] * m_counts[1]));
         m_expansions[std::size_t(i)].centre = m_lowest + m_cell.cwiseProduct((index + 0.5).matrix());
+    }
+    // Edges are not square to each other in plan: no corner is farther than half of the diagonal in space, or
+    // half of the edges' lengths in plan together.
+    const Vec3 inPlan = edges.cwiseQuotient(m_counts.matrix().cast<double>());
+    m_reach = std::min(m_cell.norm(), inPlan.sum()) / 2;
+}
+
+/// By Taylor's theorem, with what the field tells of its derivatives near each cell, or anywhere.
+void WaterPatch::setErrors(const WaterView& water, double above, const CellSurfaces& surfaces,
+                           const CellPoints& points) {
+    const WaterBounds& bounds = water.bounds;
+    ExpansionError anywhere;
+    if (!std::isfinite(bounds.curvatureChange))
+        anywhere.second = headBend(water) / 2;
+    else if (m_pressure == PressureModel::hydrostatic)
+        anywhere.third = bounds.curvatureChange / 6;
+    else
+        anywhere.third = std::max(bounds.curvatureChange, water.field.headCurvatureChange(above)) / 6;
+    for (int i = 0; i < cellCount(); ++i) {
+        WaterExpansion& cell = m_expansions[std::size_t(i)];
+        cell.error = cell.errorFar = anywhere;
+        if (m_pressure == PressureModel::waveDynamic) continue;
+        if (anywhere.second > 0) {
+            cell.error.second =
+                water.field.curvatureNear({points(i, 0), points(i, 1)}, m_reach, water.time) / 2;
+        } else {
+            const ExpansionError near{0, surfaces(i, 6) / 6, bounds.curvatureChangeGrowth / 24};
+            const double reach2 = m_reach * m_reach;
+            if (near.at(reach2) < anywhere.at(reach2)) cell.error = near;
+        }
+    }
+}
+
+WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double above, double reach)
+    : m_up(water.upInBody()), m_pressure(water.pressure) {
+    place(box, reach);
+    const int count = cellCount();
+    const Mat3 bodyFromFrame =
+        water.pose.orientation.conjugate().toRotationMatrix() * water.field.frame().worldFromFrame();
+    const Vec3 origin = water.field.frame().pointFromWorld(water.pose.position);
+    CellPoints points(count, 3);
+    for (int i = 0; i < count; ++i)
         points.row(i) =
             (origin + bodyFromFrame.transpose() * m_expansions[std::size_t(i)].centre).transpose().array();
-    }
-    Surfaces surfaces(count, 6);
-    if (error.power == 3)
+    const bool knowsBend = std::isfinite(water.bounds.curvatureChange);
+    CellSurfaces surfaces(count, 7);
+    if (knowsBend)
         water.field.expandSurface(points.leftCols<2>(), water.time, surfaces);
     else {
         water.field.sampleSurface(points.leftCols<2>(), water.time, surfaces.leftCols<3>());
-        surfaces.rightCols<3>().setZero();
+        surfaces.rightCols<4>().setZero();
     }
+    setErrors(water, above, surfaces, points);
     for (int i = 0; i < count; ++i) {
-        WaterExpansion& expansion = m_expansions[std::size_t(i)];
-        expansion.depth = turned(depthOf(surfaces.row(i), points(i, 2)), bodyFromFrame);
-        expansion.head = expansion.depth;
+        WaterExpansion& cell = m_expansions[std::size_t(i)];
+        cell.head = cell.depth = turned(depthOf(surfaces.row(i), points(i, 2)), bodyFromFrame);
     }
     if (m_pressure == PressureModel::hydrostatic) return;
 
-    Points below = points;
-    below.col(2) -= surfaces.col(0);
-    Heads heads(count, 10);
-    water.field.expandWaveHead(below, water.time, heads);
-    if (error.power == 2) heads.rightCols<6>().setZero();
-    for (int i = 0; i < count; ++i)
-        m_expansions[std::size_t(i)].head =
-            turned(headOf(surfaces.row(i), heads.row(i), points(i, 2)), bodyFromFrame);
-    if (error.power == 2)
-        for (int i = 0; i < count; ++i)
-            m_expansions[std::size_t(i)].head.bend.setZero();
+    points.col(2) -= surfaces.col(0);
+    CellHeads heads(count, 10);
+    water.field.expandWaveHead(points, water.time, heads);
+    for (int i = 0; i < count; ++i) {
+        WaterExpansion& cell = m_expansions[std::size_t(i)];
+        cell.head =
+            turned(headOf(surfaces.row(i), heads.row(i), points(i, 2) + surfaces(i, 0)), bodyFromFrame);
+        if (!knowsBend) cell.head.bend.setZero();
+    }
 }
 
 const WaterExpansion& WaterPatch::near(const Vec3& pointInBody) const {
@@ -150,12 +174,6 @@ const WaterExpansion& WaterPatch::near(const Vec3& pointInBody) const {
     };
     return m_expansions[std::size_t(indexAlong(0) +
                                     m_counts[0] * (indexAlong(1) + m_counts[1] * indexAlong(2)))];
-}
-
-double WaterPatch::errorAt(const WaterExpansion& expansion, const Vec3& pointInBody) const {
-    const Vec3 offset = pointInBody - expansion.centre;
-    const double along = m_error.horizontal ? m_up.dot(offset) : 0;
-    return m_error.at(std::max(0.0, offset.squaredNorm() - along * along));
 }
 
 }  // namespace bullet_buoyancy

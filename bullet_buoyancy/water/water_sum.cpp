@@ -45,6 +45,7 @@ WaterBounds WaterSum::bounds() const {
         sum.slope += bounds.slope;
         sum.curvature += bounds.curvature;
         sum.curvatureChange += bounds.curvatureChange;
+        sum.curvatureChangeGrowth += bounds.curvatureChangeGrowth;
         sum.still = sum.still && bounds.still;
     }
     return sum;
@@ -65,10 +66,17 @@ void WaterSum::sampleSurface(HorizontalPoints points, double time, SurfaceSample
 }
 
 void WaterSum::expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const {
-    addUp<6>(m_fields, expansions,
-             [&](const WaterField& field, Eigen::Index first, Eigen::Index rows, Block<6>& part) {
+    addUp<7>(m_fields, expansions,
+             [&](const WaterField& field, Eigen::Index first, Eigen::Index rows, Block<7>& part) {
                  field.expandSurface(points.middleRows(first, rows), time, part.topRows(rows));
              });
+}
+
+double WaterSum::curvatureNear(const Vec2& point, double radius, double time) const {
+    double sum = 0;
+    for (const WaterField* field : m_fields)
+        sum += field->curvatureNear(point, radius, time);
+    return sum;
 }
 
 void WaterSum::expandWaveHead(WaterPoints points, double time, HeadExpansions expansions) const {

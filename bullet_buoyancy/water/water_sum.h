@@ -18,6 +18,7 @@ public:
     WaterBounds bounds() const override;
     void sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const override;
     void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const override;
+    double curvatureNear(const Vec2& point, double radius, double time) const override;
     void expandWaveHead(WaterPoints points, double time, HeadExpansions expansions) const override;
     double headCurvatureChangeUnder(const WaterBounds& surface, double above) const override;
     void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;

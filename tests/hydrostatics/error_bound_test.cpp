@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
@@ -22,9 +21,7 @@ struct Case {
     HydrostaticQuery query;
     HydrostaticResult result, truth;
 
-    double weight() const {
-        return sea.water->density() * query.gravity * hull->hull->moments.volume;
-    }
+    double weight() const { return sea.water->density() * query.gravity * hull->hull->moments.volume; }
     double error() const { return (result.forceWorld - truth.forceWorld).norm() / weight(); }
     double bound() const { return result.forceErrorBound / weight(); }
 };
@@ -39,8 +36,7 @@ Pose poseAcross(const WaterField& water, const Hull& hull, double time, Random& 
     const double height = surface(0, 0) + random.uniform(-1, 1) * hull.bounds.radius;
     Pose pose;
     pose.orientation = random.orientation();
-    pose.position = frame.originWorld() +
-                    frame.worldFromFrame() * Vec3(point(0, 0), point(0, 1), height) -
+    pose.position = frame.originWorld() + frame.worldFromFrame() * Vec3(point(0, 0), point(0, 1), height) -
                     pose.orientation * hull.bounds.centre;
     return pose;
 }
@@ -79,18 +75,21 @@ double median(std::vector<double> values) {
 
 TEST(ErrorBound, HoldsInEveryCaseAndIsNotFarFromTheError) {
     std::vector<double> ratios;
-    std::map<std::string, std::vector<double>> of;
     visitCases(PressureModel::hydrostatic, posesAHull(), [&](const Case& c) {
         EXPECT_LE(c.error(), c.bound() + ofReference)
             << c.hull->name << " in " << c.sea.kind << ", tolerance " << c.query.tolerance;
         if (c.error() < 10 * ofReference) return;  // the reference cannot tell the ratio
         ratios.push_back(c.bound() / c.error());
-        of[c.hull->name].push_back(ratios.back());
-        of[c.sea.kind].push_back(ratios.back());
     });
-    if (std::getenv("SHOW")) for (auto& [name, r] : of) std::printf("%-30s %zu median %.1f\n", name.c_str(), r.size(), median(r));
-    std::printf("all %zu %.2f\n", ratios.size(), median(ratios));
     EXPECT_LT(median(ratios), 30);
+}
+
+/// The bound of the dynamic pressure's error is rough: it only must hold.
+TEST(ErrorBound, HoldsForDynamicPressure) {
+    visitCases(PressureModel::waveDynamic, posesAHull() / 10, [&](const Case& c) {
+        EXPECT_LE(c.error(), c.bound() + ofReference)
+            << c.hull->name << " in " << c.sea.kind << ", tolerance " << c.query.tolerance;
+    });
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ public:
         expansions.col(3) = m_curvature.x();
         expansions.col(4) = 0;
         expansions.col(5) = m_curvature.y();
+        expansions.col(6) = 0;
     }
 
     void sampleVelocity(WaterPoints, double, WaterVelocities velocities) const override {

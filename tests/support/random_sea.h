@@ -14,9 +14,9 @@ struct RandomSea {
     std::shared_ptr<const WaterField> water;
 };
 
-/// Of the nine kinds number `kind` modulo nine: regular, long- and short-crested Airy waves, JONSWAP, trochoids,
-/// shallow water, swell with wind sea and current, a grid of heights, a function. Waves of 4 to 60 m, up to a
-/// steepness (the sum of amplitudes times wavenumbers) of 0.4.
+/// Of the nine kinds number `kind` modulo nine: regular, long- and short-crested Airy waves, JONSWAP,
+/// trochoids, shallow water, swell with wind sea and current, a grid of heights, a function. Waves of 4 to 60
+/// m, up to a steepness (the sum of amplitudes times wavenumbers) of 0.4.
 RandomSea randomSea(std::size_t kind, Random& random);
 
 }  // namespace bullet_buoyancy::test

@@ -53,7 +53,8 @@ public:
 
     void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const override {
         sampleSurface(points, time, expansions.leftCols<3>());
-        expansions.rightCols<3>().setZero();
+        expansions.middleCols<3>(3).setZero();
+        expansions.col(6) = bounds().curvatureChange;
         for (Eigen::Index i = 0; i < points.rows(); ++i)
             for (const SineWave& wave : m_waves) {
                 const Vec2& k = wave.waveVector;

@@ -50,10 +50,10 @@ Eigen::Array3d surfaceAt(const WaterField& water, double x, double y, double tim
     return samples.row(0).transpose();
 }
 
-Eigen::Array<double, 6, 1> expansionAt(const WaterField& water, double x, double y, double time) {
+Eigen::Array<double, 7, 1> expansionAt(const WaterField& water, double x, double y, double time) {
     Eigen::ArrayX2d points(1, 2);
     points << x, y;
-    Eigen::Array<double, Eigen::Dynamic, 6> expansions(1, 6);
+    Eigen::Array<double, Eigen::Dynamic, 7> expansions(1, 7);
     water.expandSurface(points, time, expansions);
     return expansions.row(0).transpose();
 }
@@ -73,6 +73,21 @@ Vec3 velocityAt(const WaterField& water, const Vec3& point, double time) {
     return velocities.row(0).transpose();
 }
 
+/// Along a step in any direction the second derivative in that direction changes by no more than the third
+/// that is told, and its growth, allow.
+void expectThirdDerivativeWithinBound(const WaterField& water, const Vec2& place, double t, Random& random) {
+    const double angle = random.uniform(-pi, pi), length = std::exp(random.uniform(-6, 1));
+    const Vec2 along(std::cos(angle), std::sin(angle)), end = place + length * along;
+    const auto at = expansionAt(water, place.x(), place.y(), t),
+               there = expansionAt(water, end.x(), end.y(), t);
+    const auto second = [&](const Eigen::Array<double, 7, 1>& e) {
+        return e[3] * along.x() * along.x() + 2 * e[4] * along.x() * along.y() + e[5] * along.y() * along.y();
+    };
+    const double growth = water.bounds().curvatureChangeGrowth;
+    EXPECT_LE(std::abs(second(there) - second(at)), at[6] * length + growth * length * length / 2 + 1e-9);
+    EXPECT_LE(at[6], water.bounds().curvatureChange * 2);
+}
+
 void expectSurfaceDerivatives(const WaterField& water, const DerivativeCheck& check) {
     Random random(1);
     const double h = check.step;
@@ -80,7 +95,7 @@ void expectSurfaceDerivatives(const WaterField& water, const DerivativeCheck& ch
         const double x = random.uniform(-check.halfSize, check.halfSize);
         const double y = random.uniform(-check.halfSize, check.halfSize), t = random.uniform(0, 100);
         const Eigen::Array3d sample = surfaceAt(water, x, y, t);
-        const Eigen::Array<double, 6, 1> expansion = expansionAt(water, x, y, t);
+        const Eigen::Array<double, 7, 1> expansion = expansionAt(water, x, y, t);
         // Two ways of summing up, or of stopping a search, for the same.
         EXPECT_NEAR(expansion[0], sample[0], 1e-9);
         EXPECT_LE((expansion.segment<2>(1) - sample.tail<2>()).abs().maxCoeff(), 1e-8);
@@ -92,6 +107,7 @@ void expectSurfaceDerivatives(const WaterField& water, const DerivativeCheck& ch
         EXPECT_NEAR(expansion[4], byX[2], check.tolerance);
         EXPECT_NEAR(expansion[4], byY[1], check.tolerance);
         EXPECT_NEAR(expansion[5], byY[2], check.tolerance);
+        expectThirdDerivativeWithinBound(water, {x, y}, t, random);
     }
 }
 

@@ -8,7 +8,7 @@ namespace bullet_buoyancy::test {
 
 /// One place at one time, for fields that are asked for many.
 Eigen::Array3d surfaceAt(const WaterField& water, double x, double y, double time);
-Eigen::Array<double, 6, 1> expansionAt(const WaterField& water, double x, double y, double time);
+Eigen::Array<double, 7, 1> expansionAt(const WaterField& water, double x, double y, double time);
 Eigen::Array<double, 10, 1> headAt(const WaterField& water, double x, double y, double s, double time);
 Vec3 velocityAt(const WaterField& water, const Vec3& point, double time);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "support/near.h"
-#include "water/field_checks.h"
 #include "support/random_waves.h"
+#include "water/field_checks.h"
 
 namespace bullet_buoyancy::test {
 namespace {

@@ -199,7 +199,7 @@ TEST(FunctionWater, AsksItsFunctions) {
     def.surface = [](double x, double y, double t) {
         return Eigen::Array3d(0.1 * std::sin(x) + y + t, 0.1 * std::cos(x), 1);
     };
-    def.bounds = {10, 1.1, 0.1, 0.1, false};
+    def.bounds = {10, 1.1, 0.1, 0.1, 0, false};
     const FunctionWater still(WaterFrame::zUp(), def);
     EXPECT_EQ(velocityAt(still, {1, 2, 3}, 4), Vec3::Zero());
     def.velocity = [](const Vec3& point, double t) { return Vec3(t * point); };
