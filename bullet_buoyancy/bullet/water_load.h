@@ -23,6 +23,7 @@ public:
         : m_water(water), m_def(def), m_mass(mass), m_gravity(gravity), m_airRate(airRate) {}
 
     Vec3 up() const override { return m_water.field.frame().upWorld(); }
+    bool isCalm() const override { return true; }
     Load at(const Pose& pose, Mat6* stiffness = nullptr) const override;
 
     /// N
