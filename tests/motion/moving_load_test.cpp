@@ -133,8 +133,9 @@ TEST(AVeryLightBody, StaysOnASurfaceThatHeavesWhateverTheSteps) {
             engine.body.arrive();
             engine.time += step;
             engine.settle(step);
-            // Where the surface leaves it, by the change of its speed from one step to the next, the body goes
-            // on for a step, the longest at most; and what it makes up for in the shortest throws it again.
+            // Where the surface leaves it, by the change of its speed from one step to the next, the body
+            // goes on for a step, the longest at most; and what it makes up for in the shortest throws it
+            // again.
             const double travel = heave * omega * omega / 30 / 30, speed = 240 * travel;
             ASSERT_NEAR(engine.height() + draft, engine.place(engine.time).z(),
                         travel + speed * speed / (2 * gravity))
