@@ -26,6 +26,12 @@ inline double headOf(const HeadPoint& point) {
     return point.head;
 }
 
+/// Whether the head may be another than the depth.
+template <typename Point>
+inline constexpr bool headVaries = false;
+template <>
+inline constexpr bool headVaries<HeadPoint> = true;
+
 /// Where the surface of the water cuts the edge between a wet and a dry point; depth is linear along it.
 inline DepthPoint waterlinePoint(const DepthPoint& wet, const DepthPoint& dry) {
     const double fraction = wet.depth / (wet.depth - dry.depth);

@@ -80,11 +80,12 @@ private:
     void addWithin(WetIntegrals& integrals) {
         const WaterPatch one(m_water, box(), m_above, infinity);
         note(one, integrals);
-        if (meanError(one) <= allowedHeadError() && addWith(one, integrals) <= 1) return;
+        constexpr double worthATry = 2;
+        if (meanError(one) <= worthATry * allowedHeadError() && addWith(one, integrals) <= 1) return;
         double reach = one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest);
         constexpr int mostAttempts = 4;
         for (int attempt = 1;; ++attempt) {
-            const WaterPatch patch(m_water, box(), m_above, std::min(reach, one.reach() / 2));
+            const WaterPatch patch(m_water, box(), m_above, std::min(reach, 0.8 * one.reach()));
             note(patch, integrals);
             const bool isLast = attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2;
             const double excess = addWith(patch, integrals, isLast);

@@ -25,69 +25,74 @@ double waterlineError(const Corners& p, double strayed) {
     return strayed * (wetShareBelow(p, strayed) - wetShareBelow(p, -strayed));
 }
 
-/// Second differences of a quadratic along the sides of a triangle. Between the corners it strays from the
-/// linear by -1/2 sum l_i l_j b_ij in barycentric coordinates l: by a sixth of the largest at most, by a 24th
-/// of their sum on average.
+/// Second differences of a quadratic along the sides of a triangle, each that opposite to its corner. Between
+/// the corners it strays from the linear by -1/2 sum l_i l_j b_ij in barycentric coordinates l: by a sixth of
+/// the largest at most, by a 24th of their sum on average.
 struct Bubble {
-    double largest, mean;
+    std::array<double, 3> across;
 
     Bubble(const Corners& p, const Mat3& bend) {
         const Vec3 u = p[1].position - p[0].position, v = p[2].position - p[1].position, w = -u - v;
-        const double a = std::abs(u.dot(bend * u)), b = std::abs(v.dot(bend * v)),
-                     c = std::abs(w.dot(bend * w));
-        largest = std::max({a, b, c}) / 6;
-        mean = (a + b + c) / 24;
+        across = {v.dot(bend * v), w.dot(bend * w), u.dot(bend * u)};
     }
+
+    double largest() const {
+        return std::max({std::abs(across[0]), std::abs(across[1]), std::abs(across[2])}) / 6;
+    }
+    double mean() const { return (std::abs(across[0]) + std::abs(across[1]) + std::abs(across[2])) / 24; }
 };
 
-/// What a quadratic adds to the linear function with the same values at the ends of an edge.
+/// What a quadratic adds to the linear function that was taken for it, at the corners of a triangle and in
+/// the middle of the sides opposite to them.
 struct Excess {
-    double depth, head;
+    std::array<double, 3> at, across;
 
-    Excess(const WaterExpansion& water, const HeadPoint& p)
-        : depth(water.depthAt(p.position) - p.depth), head(water.headAt(p.position) - p.head) {}
-};
+    /// Where the linear function was taken from the triangle's own corners.
+    explicit Excess(const Bubble& bubble)
+        : at{0, 0, 0}, across{-bubble.across[0] / 8, -bubble.across[1] / 8, -bubble.across[2] / 8} {}
 
-HeadPoint middle(const HeadPoint& p, const HeadPoint& q) {
-    return {(p.position + q.position) / 2, (p.depth + q.depth) / 2, (p.head + q.head) / 2};
-}
-
-/// Mean of f r over a triangle, f quadratic: from its values at corners and middles of sides by the mass
-/// matrix of quadratic with linear shape functions.
-Vec3 quadraticMoment(const Corners& p, const std::array<double, 3>& at, const std::array<double, 3>& across) {
-    Vec3 moment = Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        const double weight =
-            at[i] / 30 - (at[j] + at[k]) / 60 + across[i] / 15 + 2 * (across[j] + across[k]) / 15;
-        moment += weight * p[i].position;
+    /// Where the triangle is a part of that one. `linear`: the linear function's values.
+    Excess(const Corners& p, double HeadPoint::*linear, const Quadratic& quadratic, const Vec3& centre) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const HeadPoint &q = p[(i + 1) % 3], &r = p[(i + 2) % 3];
+            at[i] = quadratic.at(p[i].position - centre) - p[i].*linear;
+            across[i] = quadratic.at((q.position + r.position) / 2 - centre) - (q.*linear + r.*linear) / 2;
+        }
     }
-    return moment;
-}
+
+    double mean() const { return (across[0] + across[1] + across[2]) / 3; }
+
+    /// Mean of f r over the triangle: by the mass matrix of quadratic with linear shape functions.
+    Vec3 meanMoment(const Corners& p) const {
+        Vec3 moment = Vec3::Zero();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            const double weight =
+                at[i] / 30 - (at[j] + at[k]) / 60 + across[i] / 15 + 2 * (across[j] + across[k]) / 15;
+            moment += weight * p[i].position;
+        }
+        return moment;
+    }
+};
 
 /// What the water's bend adds to a wet triangle over which depth and head were taken for linear.
-void addBend(const Corners& p, const WaterExpansion& water, const Vec3& up, WetIntegrals& integrals) {
+void addBend(const Corners& p, const Excess& depth, const Excess& head, const Vec3& up,
+             WetIntegrals& integrals) {
     const Vec3 areaVector = areaVectorOf(p);
     const double areaUp = areaVector.dot(up);
-    std::array<double, 3> depthAt, headAt, depthAcross, headAcross;
-    double depth = 0, head = 0, depthSquared = 0, depthTimesHead = 0;
+    double depthSquared = 0, depthTimesHead = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Excess corner(water, p[i]);
-        const HeadPoint m = middle(p[(i + 1) % 3], p[(i + 2) % 3]);
-        const Excess opposite(water, m);
-        depthAt[i] = corner.depth;
-        headAt[i] = corner.head;
-        depthAcross[i] = opposite.depth;
-        headAcross[i] = opposite.head;
-        depth += opposite.depth / 3;
-        head += opposite.head / 3;
-        depthSquared += opposite.depth * (2 * m.depth + opposite.depth) / 3;
-        depthTimesHead += ((m.depth + opposite.depth) * (m.head + opposite.head) - m.depth * m.head) / 3;
+        const HeadPoint &q = p[(i + 1) % 3], &r = p[(i + 2) % 3];
+        const double d = (q.depth + r.depth) / 2, h = (q.head + r.head) / 2;
+        depthSquared += depth.across[i] * (2 * d + depth.across[i]) / 3;
+        depthTimesHead += (depth.across[i] * (h + head.across[i]) + d * head.across[i]) / 3;
     }
-    integrals.headNormal += head * areaVector;
-    integrals.headTorque += quadraticMoment(p, headAt, headAcross).cross(areaVector);
-    integrals.volume -= depth * areaUp;
-    integrals.volumeMoment -= areaUp * (quadraticMoment(p, depthAt, depthAcross) + depthSquared / 2 * up);
+    const Vec3 headMoment = head.meanMoment(p);
+    const Vec3 depthMoment = &depth == &head ? headMoment : depth.meanMoment(p);
+    integrals.headNormal += head.mean() * areaVector;
+    integrals.headTorque += headMoment.cross(areaVector);
+    integrals.volume -= depth.mean() * areaUp;
+    integrals.volumeMoment -= areaUp * (depthMoment + depthSquared / 2 * up);
     integrals.headVolume -= depthTimesHead / 2 * areaUp;
 }
 
@@ -110,36 +115,50 @@ public:
         const double farthest2 = std::max({distance2[0], distance2[1], distance2[2]});
         const ExpansionError& error = m_water.errorOf(water, farthest2);
         const double largestError = error.at(farthest2);
-        Bubble bubble(p, water.head.bend);
-        if (!isHydrostatic()) bubble.largest = std::max(bubble.largest, Bubble(p, water.depth.bend).largest);
-        const double strayed = largestError + bubble.largest;
+        const Bubble bubble(p, water.head.bend);
+        double bend = bubble.largest();
+        if (!isHydrostatic()) bend = std::max(bend, Bubble(p, water.depth.bend).largest());
+        const double strayed = largestError + bend;
         if (std::max({p[0].depth, p[1].depth, p[2].depth}) <= -strayed) return;
 
         const double atWaterline = waterlineError(p, strayed);
         const bool reachesOver = largestError > m_headError && isLargerThanACell(a, b, c);
-        const bool missesWaterline = atWaterline > m_headError / 4 && bubble.largest > largestError;
+        const bool missesWaterline = atWaterline > m_headError / 4 && bend > largestError;
         constexpr int mostQuarterings = 6;
         if ((reachesOver || missesWaterline) && quarterings < mostQuarterings)
             return addQuarters(a, b, c, quarterings + 1);
 
         constexpr double negligible = 1.0 / 16;  // of the error allowed
-        const bool isBent = bubble.largest > negligible * m_headError;
-        visitWetPart(p[0], p[1], p[2], [&](const HeadPoint& q, const HeadPoint& r, const HeadPoint& s) {
-            addWetTriangle(q, r, s, m_water.upInBody(), m_query, m_integrals);
-            if (isBent) addBend({q, r, s}, water, m_water.upInBody(), m_integrals);
-        });
+        const bool isBent = bubble.mean() > negligible * m_headError;
+        if (std::min({p[0].depth, p[1].depth, p[2].depth}) > 0 && isHydrostatic()) {
+            addWetTriangle(p[0], p[1], p[2], m_water.upInBody(), m_query, m_integrals);
+            const Excess excess(bubble);
+            if (isBent) addBend(p, excess, excess, m_water.upInBody(), m_integrals);
+        } else {
+            visitWetPart(p[0], p[1], p[2], [&](const HeadPoint& q, const HeadPoint& r, const HeadPoint& s) {
+                addWetTriangle(q, r, s, m_water.upInBody(), m_query, m_integrals);
+                if (isBent) addBendOfPart({q, r, s}, water);
+            });
+        }
         // The error is convex: over the triangle its mean is at most that of the corners.
         const double ofCorners =
             (error.at(distance2[0]) + error.at(distance2[1]) + error.at(distance2[2])) / 3;
         const double share = wetShareBelow(p, strayed);
         const double meanError = std::min(ofCorners, share * largestError);
-        const double leftOut = isBent ? 0 : std::min(bubble.mean, share * bubble.largest);
+        const double leftOut = isBent ? 0 : std::min(bubble.mean(), share * bend);
         const Vec3 area = areaVectorOf(p).cwiseAbs();
         m_integrals.error += (meanError + leftOut) * area;
         m_integrals.lastingError += atWaterline * area;
     }
 
 private:
+    void addBendOfPart(const Corners& p, const WaterExpansion& water) {
+        const Excess head(p, &HeadPoint::head, water.head, water.centre);
+        if (isHydrostatic()) return addBend(p, head, head, m_water.upInBody(), m_integrals);
+        const Excess depth(p, &HeadPoint::depth, water.depth, water.centre);
+        addBend(p, depth, head, m_water.upInBody(), m_integrals);
+    }
+
     bool isHydrostatic() const { return m_water.pressure() == PressureModel::hydrostatic; }
 
     bool isLargerThanACell(const Vec3& a, const Vec3& b, const Vec3& c) const {

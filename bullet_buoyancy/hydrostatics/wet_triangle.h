@@ -10,7 +10,7 @@ namespace bullet_buoyancy {
 /// Integrals of f r and f g over a triangle of unit area: for linear functions f and g the latter is
 /// ((sum f)(sum g) + sum f_i g_i) / 12.
 template <typename Point>
-Vec3 meanMoment(const Point& a, const Point& b, const Point& c, double fa, double fb, double fc) {
+inline Vec3 meanMoment(const Point& a, const Point& b, const Point& c, double fa, double fb, double fc) {
     return ((fa + fb + fc) * (a.position + b.position + c.position) + fa * a.position + fb * b.position +
             fc * c.position) /
            12;
@@ -23,8 +23,9 @@ void addPressure(const Point& a, const Point& b, const Point& c, const Vec3& up,
     const Vec3 areaVector = (b.position - a.position).cross(c.position - a.position) / 2;
     const double headA = headOf(a), headB = headOf(b), headC = headOf(c);
     const double sumHead = headA + headB + headC, sumDepth = a.depth + b.depth + c.depth;
-    const Vec3 headMoment = meanMoment(a, b, c, headA, headB, headC);
     const Vec3 depthMoment = meanMoment(a, b, c, a.depth, b.depth, c.depth);
+    Vec3 headMoment = depthMoment;
+    if constexpr (headVaries<Point>) headMoment = meanMoment(a, b, c, headA, headB, headC);
     const double depthSquared =
         (sumDepth * sumDepth + a.depth * a.depth + b.depth * b.depth + c.depth * c.depth) / 12;
     const double depthTimesHead =
