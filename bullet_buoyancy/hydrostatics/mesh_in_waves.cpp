@@ -96,78 +96,113 @@ void addBend(const Corners& p, const Excess& depth, const Excess& head, const Ve
     integrals.headVolume -= depthTimesHead / 2 * areaUp;
 }
 
+/// A point of the mesh as an expansion sees it.
+struct SeenPoint {
+    HeadPoint point;
+    double distance2;  // from the expansion's centre, as distances count, m^2
+};
+
 class TrianglesInWaves {
 public:
     TrianglesInWaves(const WaterPatch& water, double headError, const HydrostaticQuery& query,
                      WetIntegrals& integrals)
         : m_water(water), m_headError(headError), m_query(query), m_integrals(integrals) {}
 
+    /// The whole mesh; each vertex is looked at once if there is one cell only, and room for them.
+    void add(const TriangleMesh& mesh) {
+        constexpr std::size_t room = 512;
+        const std::vector<Vec3>& vertices = mesh.vertices;
+        if (m_water.cellCount() > 1 || vertices.size() > room) {
+            for (const Triangle& t : mesh.triangles)
+                add(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+            return;
+        }
+        std::array<SeenPoint, room> seen;
+        const WaterExpansion& water = m_water.near(vertices[0]);
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            seen[i] = see(water, vertices[i]);
+        for (const Triangle& t : mesh.triangles)
+            add(water, {seen[t[0]], seen[t[1]], seen[t[2]]}, 0);
+    }
+
+private:
     void add(const Vec3& a, const Vec3& b, const Vec3& c, int quarterings = 0) {
         const WaterExpansion& water = m_water.near((a + b + c) / 3);
-        const auto corner = [&](const Vec3& p) {
-            const double depth = water.depthAt(p);
-            return HeadPoint{p, depth, isHydrostatic() ? depth : water.headAt(p)};
-        };
-        const Corners p{corner(a), corner(b), corner(c)};
-        const std::array<double, 3> distance2{m_water.distanceSquared(water, a),
-                                              m_water.distanceSquared(water, b),
-                                              m_water.distanceSquared(water, c)};
-        const double farthest2 = std::max({distance2[0], distance2[1], distance2[2]});
+        add(water, {see(water, a), see(water, b), see(water, c)}, quarterings);
+    }
+
+    SeenPoint see(const WaterExpansion& water, const Vec3& point) const {
+        const double depth = water.depthAt(point);
+        return {{point, depth, isHydrostatic() ? depth : water.headAt(point)},
+                m_water.distanceSquared(water, point)};
+    }
+
+    void add(const WaterExpansion& water, const std::array<SeenPoint, 3>& seen, int quarterings) {
+        const Corners p{seen[0].point, seen[1].point, seen[2].point};
+        const double farthest2 = std::max({seen[0].distance2, seen[1].distance2, seen[2].distance2});
         const ExpansionError& error = m_water.errorOf(water, farthest2);
         const double largestError = error.at(farthest2);
         const Bubble bubble(p, water.head.bend);
         double bend = bubble.largest();
         if (!isHydrostatic()) bend = std::max(bend, Bubble(p, water.depth.bend).largest());
         const double strayed = largestError + bend;
+        const double least = std::min({p[0].depth, p[1].depth, p[2].depth});
         if (std::max({p[0].depth, p[1].depth, p[2].depth}) <= -strayed) return;
 
-        const double atWaterline = waterlineError(p, strayed);
-        const bool reachesOver = largestError > m_headError && isLargerThanACell(a, b, c);
+        const double atWaterline = least < strayed ? waterlineError(p, strayed) : 0;
+        const bool reachesOver = largestError > m_headError && isLargerThanACell(p);
         const bool missesWaterline = atWaterline > m_headError / 4 && bend > largestError;
         constexpr int mostQuarterings = 6;
         if ((reachesOver || missesWaterline) && quarterings < mostQuarterings)
-            return addQuarters(a, b, c, quarterings + 1);
+            return addQuarters(p, quarterings + 1);
 
         constexpr double negligible = 1.0 / 16;  // of the error allowed
         const bool isBent = bubble.mean() > negligible * m_headError;
-        if (std::min({p[0].depth, p[1].depth, p[2].depth}) > 0 && isHydrostatic()) {
-            addWetTriangle(p[0], p[1], p[2], m_water.upInBody(), m_query, m_integrals);
-            const Excess excess(bubble);
-            if (isBent) addBend(p, excess, excess, m_water.upInBody(), m_integrals);
-        } else {
+        if (isBent)
+            addBent(p, water, bubble);
+        else
             visitWetPart(p[0], p[1], p[2], [&](const HeadPoint& q, const HeadPoint& r, const HeadPoint& s) {
                 addWetTriangle(q, r, s, m_water.upInBody(), m_query, m_integrals);
-                if (isBent) addBendOfPart({q, r, s}, water);
             });
-        }
         // The error is convex: over the triangle its mean is at most that of the corners.
         const double ofCorners =
-            (error.at(distance2[0]) + error.at(distance2[1]) + error.at(distance2[2])) / 3;
-        const double share = wetShareBelow(p, strayed);
-        const double meanError = std::min(ofCorners, share * largestError);
+            (error.at(seen[0].distance2) + error.at(seen[1].distance2) + error.at(seen[2].distance2)) / 3;
+        const double share = least < -strayed ? wetShareBelow(p, strayed) : 1;
         const double leftOut = isBent ? 0 : std::min(bubble.mean(), share * bend);
         const Vec3 area = areaVectorOf(p).cwiseAbs();
-        m_integrals.error += (meanError + leftOut) * area;
+        m_integrals.error += (std::min(ofCorners, share * largestError) + leftOut) * area;
         m_integrals.lastingError += atWaterline * area;
     }
 
-private:
-    void addBendOfPart(const Corners& p, const WaterExpansion& water) {
-        const Excess head(p, &HeadPoint::head, water.head, water.centre);
-        if (isHydrostatic()) return addBend(p, head, head, m_water.upInBody(), m_integrals);
-        const Excess depth(p, &HeadPoint::depth, water.depth, water.centre);
-        addBend(p, depth, head, m_water.upInBody(), m_integrals);
+    void addBent(const Corners& p, const WaterExpansion& water, const Bubble& bubble) {
+        const Vec3& up = m_water.upInBody();
+        if (isHydrostatic() && std::min({p[0].depth, p[1].depth, p[2].depth}) > 0) {
+            const Excess excess(bubble);
+            addWetTriangle(p[0], p[1], p[2], up, m_query, m_integrals);
+            return addBend(p, excess, excess, up, m_integrals);
+        }
+        visitWetPart(p[0], p[1], p[2], [&](const HeadPoint& q, const HeadPoint& r, const HeadPoint& s) {
+            addWetTriangle(q, r, s, up, m_query, m_integrals);
+            const Corners part{q, r, s};
+            const Excess head(part, &HeadPoint::head, water.head, water.centre);
+            if (isHydrostatic()) return addBend(part, head, head, up, m_integrals);
+            const Excess depth(part, &HeadPoint::depth, water.depth, water.centre);
+            addBend(part, depth, head, up, m_integrals);
+        });
     }
 
     bool isHydrostatic() const { return m_water.pressure() == PressureModel::hydrostatic; }
 
-    bool isLargerThanACell(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    bool isLargerThanACell(const Corners& p) const {
+        if (m_water.cellCount() == 1) return false;
         constexpr double rounding = 1e-9;
+        const Vec3 &a = p[0].position, &b = p[1].position, &c = p[2].position;
         const Vec3 size = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
-        return m_water.cellCount() > 1 && (size - (1 + rounding) * m_water.cell()).maxCoeff() > 0;
+        return (size - (1 + rounding) * m_water.cell()).maxCoeff() > 0;
     }
 
-    void addQuarters(const Vec3& a, const Vec3& b, const Vec3& c, int quarterings) {
+    void addQuarters(const Corners& p, int quarterings) {
+        const Vec3 &a = p[0].position, &b = p[1].position, &c = p[2].position;
         const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
         add(a, ab, ca, quarterings);
         add(ab, b, bc, quarterings);
@@ -216,9 +251,7 @@ double strayedWithin(const Corners& p, double bend) {
 
 void addMeshInWaves(const TriangleMesh& mesh, const WaterPatch& water, double headError,
                     const HydrostaticQuery& query, WetIntegrals& integrals) {
-    TrianglesInWaves triangles(water, headError, query, integrals);
-    for (const Triangle& t : mesh.triangles)
-        triangles.add(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+    if (!mesh.triangles.empty()) TrianglesInWaves(water, headError, query, integrals).add(mesh);
 }
 
 int addMeshByCorners(const TriangleMesh& mesh, const WaterView& water, const HydrostaticQuery& query,
