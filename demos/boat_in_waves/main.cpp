@@ -77,7 +77,7 @@ int run(const Options& options) {
         return 1;
     }
     const Responses responses = respond(voyage, options.voyage.step, options.sea.period);
-    printSummary(options, sea, voyage, responses);
+    printSummary(options, boat, sea, voyage, responses);
     if (!write(options, voyage, responses, sea)) return 1;
     if (!options.plot.empty() && !plot({boat, sea, voyage, responses}, options.plot)) return 1;
     return 0;

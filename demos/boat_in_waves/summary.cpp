@@ -50,7 +50,8 @@ void printSetting(const Options& options, const Boat& boat, const Sea& sea) {
         options.voyage.linearDrag, options.voyage.angularDamping);
 }
 
-void printSummary(const Options& options, const Sea& sea, const Voyage& voyage, const Responses& responses) {
+void printSummary(const Options& options, const Boat& boat, const Sea& sea, const Voyage& voyage,
+                  const Responses& responses) {
     const VoyageSample& last = voyage.samples.back();
     std::printf("\n%.0f s recorded, in steps of %.4f s\n", last.time, options.voyage.step);
     std::printf("  %-10s %15s %15s %10s\n", "", "significant", "mean", "period");
@@ -77,7 +78,9 @@ void printSummary(const Options& options, const Sea& sea, const Voyage& voyage, 
     std::printf("Water samples a step: mean %.1f, most %.0f\n", effort.meanSamples, effort.mostSamples);
     std::printf("Error bound of the water's force over the weight: median %.1e, most %.1e\n",
                 effort.medianBound, effort.mostBound);
-    std::printf("  (tolerance %.1e of what the whole hull displaces)\n", options.voyage.buoyancy.tolerance);
+    std::printf("  (tolerance %.1e of what the whole hull displaces: %.1e of the weight)\n",
+                options.voyage.buoyancy.tolerance,
+                options.voyage.buoyancy.tolerance * boat.hull->moments.volume / boat.displacement);
     std::printf("Real time: %.1f microseconds a step\n", 1e6 * voyage.clockPerStep);
 }
 

@@ -9,7 +9,7 @@ namespace bullet_buoyancy::demo {
 void printSetting(const Options& options, const scenes::Boat& boat, const scenes::Sea& sea);
 
 /// Prints the responses and what they took.
-void printSummary(const Options& options, const scenes::Sea& sea, const scenes::Voyage& voyage,
-                  const Responses& responses);
+void printSummary(const Options& options, const scenes::Boat& boat, const scenes::Sea& sea,
+                  const scenes::Voyage& voyage, const Responses& responses);
 
 }  // namespace bullet_buoyancy::demo

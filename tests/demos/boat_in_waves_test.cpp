@@ -263,7 +263,7 @@ TEST(Sea, OnAGridIsThatOfItsWaves) {
 
 /// Lines of the sum that an hour tells apart leave less than chance would.
 TEST(Sea, ProbeSeesTheHeightAndPeriodAskedFor) {
-    for (std::uint64_t seed : {1, 2, 3}) {
+    for (std::uint64_t seed : {1u, 2u, 3u}) {
         SeaDef def;
         def.height = 2;
         def.seed = seed;
