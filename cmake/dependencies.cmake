@@ -37,14 +37,19 @@ function(buoyancy_provide_dependencies)
 
     buoyancy_find_root(may_install as_root)
     if(may_install)
+        set(missing_required ${missing})
         list(APPEND missing ${missing_optional})
         list(JOIN missing " " names)
         message(STATUS "Installing ${names}")
-        execute_process(COMMAND ${as_root} apt-get update COMMAND_ERROR_IS_FATAL ANY)
+        set(on_failure "")
+        if(missing_required)
+            set(on_failure COMMAND_ERROR_IS_FATAL ANY)
+        endif()
+        execute_process(COMMAND ${as_root} apt-get update ${on_failure})
         execute_process(
             COMMAND ${as_root} env DEBIAN_FRONTEND=noninteractive
                 apt-get install --yes --no-install-recommends ${missing}
-            COMMAND_ERROR_IS_FATAL ANY)
+            ${on_failure})
     elseif(missing)
         buoyancy_explain_dependencies()
         list(JOIN missing " " missing)
@@ -94,6 +99,8 @@ function(buoyancy_explain_dependencies)
   Arch             sudo pacman -S --needed gcc ninja bullet eigen gtest cli11         (double precision: bullet-dp)
   macOS            brew install ninja bullet eigen googletest cli11
   vcpkg            vcpkg install bullet3 eigen3 gtest cli11   (double precision: bullet3[double-precision])
+
+The demos draw by gnuplot, and read hulls from files by assimp (Debian: gnuplot-nox, libassimp-dev), where there are.
 
 Where a Bullet of the wanted precision is not packaged, -DFETCH=ON builds all libraries from source.
 ")
