@@ -44,7 +44,7 @@ void addCurrent(std::vector<HardCase>& cases) {
             cases.push_back({"drag of 1e4 1/s in a current",
                              std::string(ratio < 1 ? "afloat, " : "under water, ") + stepName(dt), true,
                              [=](Floater floater) {
-                                 CurrentDef def;
+                                 DriftDef def;
                                  def.ratio = ratio;
                                  def.stepping.dt = dt;
                                  def.floater = floater;

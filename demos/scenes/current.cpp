@@ -5,7 +5,7 @@
 
 namespace bullet_buoyancy::scenes {
 
-CurrentResult driftInCurrent(const CurrentDef& def) {
+CurrentResult driftInCurrent(const DriftDef& def) {
     SceneDef sceneDef;
     sceneDef.flowVelocityWorld = {def.current, 0, 0};
     sceneDef.floater = def.floater;

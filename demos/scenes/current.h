@@ -5,7 +5,7 @@
 namespace bullet_buoyancy::scenes {
 
 /// A crate in a current, with drag far too strong for explicit steps.
-struct CurrentDef {
+struct DriftDef {
     double ratio = 1;         ///< density over the water's; 1: wholly under water
     double linearDrag = 1e4;  ///< 1/s
     double current = 1;       ///< along x, m/s
@@ -21,6 +21,6 @@ struct CurrentResult {
     double remaining;  ///< |speed relative to the water| in the end
     bool finite;
 };
-CurrentResult driftInCurrent(const CurrentDef& def);
+CurrentResult driftInCurrent(const DriftDef& def);
 
 }  // namespace bullet_buoyancy::scenes

@@ -116,7 +116,7 @@ TEST(HardCases, AFastSpinKeepsItsEnergyAndFollowsTheReference) {
 
 TEST(HardCases, DragOfAnyStrengthApproachesTheCurrentFromOneSide) {
     for (double ratio : {1.0, 0.5}) {
-        CurrentDef def;
+        DriftDef def;
         def.ratio = ratio;
         const CurrentResult result = driftInCurrent(def);
         EXPECT_TRUE(result.finite) << ratio;
