@@ -27,8 +27,6 @@ public:
         const double height = level + m_up.dot(hull.bounds.centre);  // of the hull's middle
         m_isDry = height - hull.bounds.radius >= water.bounds.elevation;
         m_isUnder = hull.meshIsClosed && height + hull.bounds.radius <= -water.bounds.elevation;
-        const double above = std::min(height + water.bounds.elevation, 0.0) + hull.bounds.radius;
-        m_above = std::max(0.0, above);
         m_tolerance = std::max(query.tolerance, smallestTolerance) * hull.moments.volume;
     }
 
@@ -51,7 +49,7 @@ private:
     bool addUnder(WetIntegrals& integrals) {
         const VolumeMoments& all = m_hull.moments;
         const Vec3 centre = all.centroid(), offset = (centre - m_hull.bounds.centre).cwiseAbs();
-        const WaterPatch patch(m_water, {centre, m_hull.halfExtents + offset}, 0, infinity);
+        const WaterPatch patch(m_water, {centre, m_hull.halfExtents + offset}, infinity);
         note(patch, integrals);
         const WaterExpansion& water = patch.near(centre);
         const Mat3 spread = moved(all, -centre).secondMoment;
@@ -78,14 +76,14 @@ private:
     /// With one cell if that may do, and else with cells that are made smaller until the bound is within the
     /// tolerance, or is one that lasts, or there are as many as there may be.
     void addWithin(WetIntegrals& integrals) {
-        const WaterPatch one(m_water, box(), m_above, infinity);
+        const WaterPatch one(m_water, box(), infinity);
         note(one, integrals);
         constexpr double worthATry = 2;
         if (meanError(one) <= worthATry * allowedHeadError() && addWith(one, integrals) <= 1) return;
         double reach = one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest);
         constexpr int mostAttempts = 4;
         for (int attempt = 1;; ++attempt) {
-            const WaterPatch patch(m_water, box(), m_above, std::min(reach, 0.8 * one.reach()));
+            const WaterPatch patch(m_water, box(), std::min(reach, 0.8 * one.reach()));
             note(patch, integrals);
             const bool isLast = attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2;
             const double excess = addWith(patch, integrals, isLast);
@@ -113,10 +111,10 @@ private:
     void addByCorners(WetIntegrals& integrals) {
         integrals.samples += addMeshByCorners(m_hull.mesh, m_water, m_query, integrals);
         if (m_hull.spheres.empty() && m_hull.solids.empty()) return;
-        const WaterPatch one(m_water, box(), m_above, infinity);
+        const WaterPatch one(m_water, box(), infinity);
         note(one, integrals);
         const WaterPatch patch(
-            m_water, box(), m_above,
+            m_water, box(),
             one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest));
         note(patch, integrals);
         addSolids(patch, allowedHeadError(), integrals);
@@ -139,7 +137,6 @@ private:
     const HydrostaticQuery& m_query;
     Vec3 m_up;
     bool m_isDry, m_isUnder;
-    double m_above;      // the hull's highest point over the surface, at most, m
     double m_tolerance;  // of the force over density and gravity, m^3
     Vec3 m_pushes = m_up;
 };

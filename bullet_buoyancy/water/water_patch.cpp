@@ -101,26 +101,28 @@ void WaterPatch::place(const BodyBox& box, double reach) {
     // half of the edges' lengths in plan together.
     const Vec3 inPlan = edges.cwiseQuotient(m_counts.matrix().cast<double>());
     m_reach = std::min(m_cell.norm(), inPlan.sum()) / 2;
+    // A triangle that is no larger than a cell, and has its middle in it, sticks out by two thirds of its
+    // size.
+    m_validity = cellCount() == 1 ? m_reach : 7.0 / 3 * m_reach;
 }
 
 /// By Taylor's theorem, with what the field tells of its derivatives near each cell, or anywhere.
-void WaterPatch::setErrors(const WaterView& water, double above, const CellSurfaces& surfaces,
-                           const CellPoints& points) {
+void WaterPatch::setErrors(const WaterView& water, const CellPoints& points, const CellSurfaces& surfaces) {
+    if (std::isfinite(water.bounds.curvatureChange) && m_pressure == PressureModel::waveDynamic)
+        return setErrorsOfWaveHead(water, points, surfaces);
     const WaterBounds& bounds = water.bounds;
     ExpansionError anywhere;
     if (!std::isfinite(bounds.curvatureChange))
         anywhere.second = headBend(water) / 2;
-    else if (m_pressure == PressureModel::hydrostatic)
-        anywhere.third = bounds.curvatureChange / 6;
     else
-        anywhere.third = std::max(bounds.curvatureChange, water.field.headCurvatureChange(above)) / 6;
+        anywhere.third = bounds.curvatureChange / 6;
     for (int i = 0; i < cellCount(); ++i) {
         WaterExpansion& cell = m_expansions[std::size_t(i)];
         cell.error = cell.errorFar = anywhere;
         if (m_pressure == PressureModel::waveDynamic) continue;
         if (anywhere.second > 0) {
             cell.error.second =
-                water.field.curvatureNear({points(i, 0), points(i, 1)}, m_reach, water.time) / 2;
+                water.field.curvatureNear({points(i, 0), points(i, 1)}, m_validity, water.time) / 2;
         } else {
             const ExpansionError near{0, surfaces(i, 6) / 6, bounds.curvatureChangeGrowth / 24};
             const double reach2 = m_reach * m_reach;
@@ -129,7 +131,37 @@ void WaterPatch::setErrors(const WaterView& water, double above, const CellSurfa
     }
 }
 
-WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double above, double reach)
+namespace {
+
+/// How far the surface may rise over its chord between two points, m.
+double sagOver(double distance, const WaterBounds& bounds) {
+    return std::min(bounds.curvature * distance * distance / 8, 2 * bounds.elevation);
+}
+
+}  // namespace
+
+/// Only wet points count: on the straight way to one from a cell's centre nothing is higher over the surface
+/// than the centre, or than the surface itself, but for its bend.
+void WaterPatch::setErrorsOfWaveHead(const WaterView& water, const CellPoints& points,
+                                     const CellSurfaces& surfaces) {
+    const WaterBounds& bounds = water.bounds;
+    const double farthest = m_cell.cwiseProduct(m_counts.matrix().cast<double>()).norm();
+    const double highest = (points.col(2) - surfaces.col(0)).maxCoeff();
+    const double far =
+        std::max(bounds.curvatureChange,
+                 water.field.headCurvatureChange(std::max(0.0, highest) + sagOver(farthest, bounds)));
+    for (int i = 0; i < cellCount(); ++i) {
+        const double centre = points(i, 2) - surfaces(i, 0), top = centre + (1 + bounds.slope) * m_validity;
+        const double sag = sagOver(m_validity, bounds);
+        const double near = top < 0 ? water.field.headCurvatureChange(top)
+                                    : std::max(bounds.curvatureChange,
+                                               water.field.headCurvatureChange(std::max(0.0, centre) + sag));
+        m_expansions[std::size_t(i)].error = {0, near / 6, 0};
+        m_expansions[std::size_t(i)].errorFar = {0, far / 6, 0};
+    }
+}
+
+WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double reach)
     : m_up(water.upInBody()), m_pressure(water.pressure) {
     place(box, reach);
     const int count = cellCount();
@@ -148,7 +180,7 @@ WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double above,
         water.field.sampleSurface(points.leftCols<2>(), water.time, surfaces.leftCols<3>());
         surfaces.rightCols<4>().setZero();
     }
-    setErrors(water, above, surfaces, points);
+    setErrors(water, points, surfaces);
     for (int i = 0; i < count; ++i) {
         WaterExpansion& cell = m_expansions[std::size_t(i)];
         cell.head = cell.depth = turned(depthOf(surfaces.row(i), points(i, 2)), bodyFromFrame);

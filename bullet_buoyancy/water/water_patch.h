@@ -57,7 +57,7 @@ struct WaterExpansion {
     Vec3 centre;              ///< in the body's frame, m
     Quadratic depth;          ///< below the surface, measured vertically, m
     Quadratic head;           ///< pressure over density and gravity, m: the depth, or less where waves decay
-    ExpansionError error;     ///< within the reach of a cell from its centre
+    ExpansionError error;     ///< for triangles no larger than the cell with their middle in it
     ExpansionError errorFar;  ///< anywhere
 
     double depthAt(const Vec3& pointInBody) const { return depth.at(pointInBody - centre); }
@@ -72,9 +72,8 @@ public:
     using CellPoints = Eigen::Array<double, Eigen::Dynamic, 3, Eigen::ColMajor, mostCells, 3>;
     using CellSurfaces = Eigen::Array<double, Eigen::Dynamic, 7, Eigen::ColMajor, mostCells, 7>;
 
-    /// Cells that reach about `reach` (m) from their centres, or as many as there may be. No point of
-    /// interest is farther than `above` (m) over the surface.
-    WaterPatch(const WaterView& water, const BodyBox& box, double above, double reach);
+    /// Cells that reach about `reach` (m) from their centres, or as many as there may be.
+    WaterPatch(const WaterView& water, const BodyBox& box, double reach);
 
     /// That of the cell which holds the point, or is next to it.
     const WaterExpansion& near(const Vec3& pointInBody) const;
@@ -89,7 +88,7 @@ public:
 
     /// The error of an expansion up to a distance from its centre.
     const ExpansionError& errorOf(const WaterExpansion& expansion, double distanceSquared) const {
-        return distanceSquared <= m_reach * m_reach ? expansion.error : expansion.errorFar;
+        return distanceSquared <= m_validity * m_validity ? expansion.error : expansion.errorFar;
     }
 
     /// Upper bound of the error of an expansion at a point, m.
@@ -115,12 +114,13 @@ public:
 
 private:
     void place(const BodyBox& box, double reach);
-    void setErrors(const WaterView& water, double above, const CellSurfaces& surfaces,
-                   const CellPoints& points);
+    void setErrors(const WaterView& water, const CellPoints& points, const CellSurfaces& surfaces);
+    void setErrorsOfWaveHead(const WaterView& water, const CellPoints& points, const CellSurfaces& surfaces);
 
     Vec3 m_up;
     PressureModel m_pressure;
     double m_reach;         // of a cell, in space or in plan
+    double m_validity;      // of the cells' own errors from their centres, m
     Vec3 m_lowest, m_cell;  // corner of the box, edges of a cell
     Eigen::Array3i m_counts;
     std::array<WaterExpansion, mostCells> m_expansions;
