@@ -23,7 +23,7 @@ enum class BodyState {
 
 /// Which effects acted in the last substep.
 struct Modelled {
-    bool hydrostatics = false;  ///< pressure of the water at rest
+    bool hydrostatics = false;  ///< pressure of the water
     bool linearDrag = false;
     bool angularDamping = false;
     bool angularMomentum = false;  ///< the spin follows from it; false: the body cannot turn freely
@@ -34,6 +34,7 @@ struct BodyReport {
     BodyState state = BodyState::notAdded;
     Modelled modelled;
     btVector3 forceWorld{0, 0, 0};      ///< of the water's pressure, N
+    double forceErrorBound = 0;         ///< it is no farther than this from that of the true surface, N
     btVector3 torqueAboutCom{0, 0, 0};  ///< of the water's pressure, world axes, N m
     double submergedVolume = 0;         ///< m^3
     double wetFraction =
@@ -44,11 +45,12 @@ struct BodyReport {
     btVector3 angularMomentum{0, 0, 0};        ///< about the centre of mass, world axes, kg m^2/s
     double kineticEnergy = 0;                  ///< translation and rotation, at the time of the pose, J
     double gravitationalEnergy = 0;            ///< zero at the water frame's origin, J
-    double waterPotentialEnergy = 0;           ///< rho g times the integral of depth over the displacement, J
+    double waterPotentialEnergy = 0;           ///< integral of the pressure over the displacement, J
 
     EnergyLedger energy;  ///< since it was first stepped, or last woken
 
     int evaluations = 0;         ///< of the water's pressure in the last substep; a body at ease needs one
+    int waterSamples = 0;        ///< points at which they asked the water for its surface or head, in all
     bool spinIsLimited = false;  ///< it spins past pi/4 a substep: Bullet cannot follow, and it turns less
     bool shapeHasChanged =
         false;  ///< swapped or scaled since its hull was read: remove the body and add it anew

@@ -3,6 +3,7 @@
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
@@ -24,6 +25,11 @@ double gravityAlongDown(const btDynamicsWorld& world, const WaterFrame& frame) {
 }
 
 }  // namespace
+
+BuoyancyAction::BuoyancyAction(const WaterField& water, const BuoyancySettings& settings)
+    : m_water(&water), m_settings(settings) {
+    assert(std::isfinite(settings.tolerance) && settings.tolerance >= 0);
+}
 
 BodyStatus BuoyancyAction::addBody(btRigidBody& body, const BodyDef& def) {
     BodyStatus status = FloatingBody::check(body, def);
@@ -70,6 +76,13 @@ const BodyReport& BuoyancyAction::report(const btRigidBody& body) const {
     return entry == m_index.end() ? unknown : m_bodies[entry->second].report();
 }
 
+void BuoyancyAction::setTime(double time) {
+    assert(std::isfinite(time));
+    m_time = time;
+    for (FloatingBody& floating : m_bodies)
+        floating.forgetWaterAhead();
+}
+
 void BuoyancyAction::updateAction(btCollisionWorld* world, btScalar dt) {
     if (!(dt > 0) || !std::isfinite(dt)) {
         for (FloatingBody& floating : m_bodies)
@@ -79,7 +92,7 @@ void BuoyancyAction::updateAction(btCollisionWorld* world, btScalar dt) {
     const auto& dynamicsWorld = *static_cast<btDynamicsWorld*>(world);  // the only worlds that have actions
     m_time += double(dt);
     const WaterNow water{*m_water, m_water->bounds(), gravityAlongDown(dynamicsWorld, m_water->frame()),
-                         m_time};
+                         m_time, m_settings};
     for (FloatingBody& floating : m_bodies) {
         if (isInWorld(floating.body(), world->getCollisionObjectArray()))
             floating.step(water, double(dt));

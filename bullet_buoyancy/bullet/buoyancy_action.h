@@ -8,6 +8,7 @@
 #include "bullet_buoyancy/bullet/body_def.h"
 #include "bullet_buoyancy/bullet/body_report.h"
 #include "bullet_buoyancy/bullet/body_status.h"
+#include "bullet_buoyancy/bullet/buoyancy_settings.h"
 #include "bullet_buoyancy/bullet/floating_body.h"
 #include "bullet_buoyancy/bullet/precision.h"
 
@@ -26,14 +27,15 @@ namespace bullet_buoyancy {
 /// Between steps `getLinearVelocity` of a wet body contains what is to cancel gravity, g dt upward when it
 /// floats at rest: push with impulses or forces, and read `BodyReport::velocity`.
 ///
-/// Not touched: bodies that sleep in still water, and bodies that are not (or no longer) in the world. A body
+/// Not touched: bodies that sleep in still water or where moving water does not reach, and bodies that are
+/// not (or no longer) in the world. Moving water wakes what it may reach, and keeps it awake. A body
 /// must be removed from the action before it is deleted. The water must outlive the action. Deleting the
 /// action gives nothing back, since the bodies may be gone by then: call `removeAllBodies` where it matters.
 /// One world an action, and one action a body.
 class BuoyancyAction : public btActionInterface {
 public:
-    explicit BuoyancyAction(const WaterField& water) : m_water(&water) {}
-    explicit BuoyancyAction(const WaterField&&) = delete;
+    explicit BuoyancyAction(const WaterField& water, const BuoyancySettings& settings = {});
+    explicit BuoyancyAction(const WaterField&&, const BuoyancySettings& = {}) = delete;
     BuoyancyAction(const BuoyancyAction&) = delete;
     BuoyancyAction& operator=(const BuoyancyAction&) = delete;
 
@@ -53,6 +55,13 @@ public:
 
     std::size_t bodyCount() const { return m_bodies.size(); }
 
+    /// Of the water, at the end of the last substep, s: draw the waves of this moment. It begins at 0 and
+    /// goes on with the substeps.
+    double time() const { return m_time; }
+
+    /// Lets the water jump to another time (s, finite: asserted).
+    void setTime(double time);
+
     /// Called by Bullet in each substep; bodies are not touched unless dt (s) is above zero and finite.
     void updateAction(btCollisionWorld* world, btScalar dt) override;
 
@@ -62,7 +71,8 @@ public:
 
 private:
     const WaterField* m_water;
-    double m_time = 0;  // simulated seconds since the action's first substep
+    BuoyancySettings m_settings;
+    double m_time = 0;
     std::vector<FloatingBody> m_bodies;
     std::unordered_map<const btRigidBody*, std::size_t> m_index;
 };

@@ -103,7 +103,7 @@ void FloatingBody::giveBack() {
 
 void FloatingBody::skip(BodyState reason) {
     m_report.state = reason;
-    m_report.evaluations = 0;
+    m_report.evaluations = m_report.waterSamples = 0;
     m_lastSeenVelocity = toEigen(m_body->getLinearVelocity());
     if (reason == BodyState::asleep) m_report.kineticEnergy = 0;
 }
@@ -115,29 +115,35 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     if (staysAsleep(water, reweighed)) return skip(BodyState::asleep);
 
     m_borrowed.borrow(*m_body);
-    const WaterLoad field(water, m_def, m_inertia.mass, toEigen(m_body->getGravity()),
-                          m_borrowed.linearDampingRate());
+    m_report.waterSamples = 0;
+    const WaterLoad now(water, m_def, m_inertia.mass, toEigen(m_body->getGravity()),
+                        m_borrowed.linearDampingRate(), m_report.waterSamples);
     StepperDef stepper{m_def.scheme, hull().bounds.centre.norm() + hull().bounds.radius, largestTurn,
                        m_flexibility * water.field.density() * water.gravity};
-    arrive(stepper, field, reweighed, dt);
-    m_motion.settle(m_inertia, stepper, field, dt);
+    arrive(stepper, now, reweighed, dt);
+    m_motion.settle(m_inertia, stepper, now, dt);
     stepper.turnLimit -= std::min(largestTurn, m_handover.lag(m_motion.motion().pose));
-    m_motion.depart(m_inertia, stepper, field, dt);
+    m_motion.depart(m_inertia, stepper, now.after(dt), dt);
     if (!isFinite(m_motion.departure())) return skip(BodyState::notFinite);
     m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.scheme), dt);
-    writeReport(water, field, dt);
-    if (m_report.wetFraction > 0) keepAwakeUnlessAtRest(water);
+    writeReport(water, now, dt);
+    if (m_report.wetFraction > 0 || isStirred(water)) keepAwakeUnlessAtRest(water);
 }
 
 /// Still water lets sleeping bodies lie; moving water wakes those it may reach, and so does a change of mass.
 bool FloatingBody::staysAsleep(const WaterNow& water, bool reweighed) {
     if (m_body->isActive()) return false;
+    if (reweighed || isStirred(water)) m_body->activate();
+    return !m_body->isActive();
+}
+
+/// Moving water may reach the body, sooner or later.
+bool FloatingBody::isStirred(const WaterNow& water) const {
+    if (water.bounds.still) return false;
     const Pose pose = toPose(m_body->getWorldTransform());
     const Vec3 centre = pose.position + pose.orientation * hull().bounds.centre;
     const double lowest = water.field.frame().pointFromWorld(centre).z() - hull().bounds.radius;
-    const bool stirred = !water.bounds.still && lowest <= water.bounds.elevation;
-    if (stirred || reweighed) m_body->activate();
-    return !m_body->isActive();
+    return lowest <= water.bounds.elevation;
 }
 
 /// Since it was last asked; notes what follows from it.
@@ -167,12 +173,12 @@ bool FloatingBody::gravityActed() const {
 
 /// After a body has been woken in the middle of a stepSimulation, Bullet leaves gravity out for the rest of
 /// it.
-void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, bool reweighed, double dt) {
+void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& now, bool reweighed, double dt) {
     const bool gravity = gravityActed();
     m_wokenWithoutGravity = !gravity && (m_wokenWithoutGravity || m_report.state == BodyState::asleep);
     const Return how = m_handover.take(*m_body, dt, !m_wokenWithoutGravity);
     if (!wasStepped(m_report.state)) {
-        start(stepper, field, gravity, dt);
+        start(stepper, now, gravity, dt);
     } else if (reweighed) {
         Disturbance atItsSpin = m_handover.disturbance();
         atItsSpin.turnedByHand = true;
@@ -180,7 +186,7 @@ void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, boo
     } else if (how == Return::atTarget) {
         m_motion.arrive();
     } else if (how == Return::astray) {
-        if (dt != m_handover.dt()) m_motion.departAgain(m_inertia, stepper, field, dt);
+        if (dt != m_handover.dt()) m_motion.departAgain(m_inertia, stepper, now, dt);
         m_motion.arrive();  // and Bullet's body is led there
     } else {
         m_motion.arriveElsewhere(m_inertia, m_handover.pose(), m_handover.disturbance());
@@ -190,20 +196,20 @@ void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& field, boo
 /// Bullet takes a body's first step before the action sees it, with gravity and without water. Where nothing
 /// held the body, that step is taken again, by us; Bullet's body is led to its end in the next one, up or
 /// down. Against the way that it fell it is not led far: something may lie there.
-void FloatingBody::start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt) {
+void FloatingBody::start(const StepperDef& stepper, const WaterLoad& now, bool gravity, double dt) {
     Motion before = motionBefore(dt);
     if (!gravity || wasHeld(dt)) {
         before.moveTo(m_inertia, m_handover.pose());
         return m_motion.start(before);
     }
-    before.velocity -= dt * m_inertia.velocityChange(field.weight());
+    before.velocity -= dt * m_inertia.velocityChange(now.weight());
     StepperDef cautious = stepper;
     cautious.turnLimit = largestTurn / 2;  // so that Bullet's body can be led there
     m_motion.start(before);
-    m_motion.settle(m_inertia, cautious, field, dt);
-    m_motion.depart(m_inertia, cautious, field, dt);
+    m_motion.settle(m_inertia, cautious, now.after(-dt), dt);
+    m_motion.depart(m_inertia, cautious, now, dt);
 
-    const Vec3 up = field.up(), start = before.pose.position, target = m_motion.target().position;
+    const Vec3 up = now.up(), start = before.pose.position, target = m_motion.target().position;
     const Vec3 bullets = m_handover.pose().position;
     const double fallen = up.dot(bullets - start), moved = up.dot(target - start);
     constexpr double shortWay = 0.1;  // of the body's size
@@ -245,14 +251,15 @@ void FloatingBody::keepAwakeUnlessAtRest(const WaterNow& water) {
     if (!water.bounds.still || !isAtRest(unrest, water.gravity, length)) m_body->activate();
 }
 
-void FloatingBody::writeReport(const WaterNow& water, const WaterLoad& field, double dt) {
+void FloatingBody::writeReport(const WaterNow& water, const WaterLoad& now, double dt) {
     const Motion& motion = m_motion.motion();
     const Load& load = m_motion.load();
-    m_report.wetFraction = field.wetFraction(load);
+    m_report.wetFraction = now.wetFraction(load);
     m_report.state = stateOf(m_report.wetFraction);
     m_report.modelled = {m_report.wetFraction > 0 && water.gravity > 0, load.dragRate > 0,
                          load.dampingRate > 0, m_inertia.turnsFreely};
-    m_report.forceWorld = toBullet(load.force - field.weight());
+    m_report.forceWorld = toBullet(load.force - now.weight());
+    m_report.forceErrorBound = load.forceErrorBound;
     m_report.torqueAboutCom = toBullet(load.torque);
     m_report.submergedVolume = load.displacement;
     m_report.centreOfBuoyancyWorld = toBullet(motion.pose.position + load.centreFromCom);
@@ -260,7 +267,7 @@ void FloatingBody::writeReport(const WaterNow& water, const WaterLoad& field, do
     m_report.spin = toBullet(motion.spin);
     m_report.angularMomentum = toBullet(motion.momentum);
     m_report.kineticEnergy = kineticEnergy(motion, m_inertia);
-    m_report.gravitationalEnergy = field.gravitationalEnergyAt(motion.pose);
+    m_report.gravitationalEnergy = now.gravitationalEnergyAt(motion.pose);
     m_report.waterPotentialEnergy = load.potential - m_report.gravitationalEnergy;
     m_report.energy = m_motion.ledger();
     m_report.evaluations = m_motion.evaluations();

@@ -32,21 +32,25 @@ public:
     /// The body is not touched, for this reason.
     void skip(BodyState reason);
 
+    /// The next step does not end in the water that the body was shown when it began.
+    void forgetWaterAhead() { m_motion.forgetLoadAhead(); }
+
     const btRigidBody& body() const { return *m_body; }
     const Hull& hull() const { return *m_def.hull; }
     const BodyReport& report() const { return m_report; }
 
 private:
     bool staysAsleep(const WaterNow& water, bool reweighed);
+    bool isStirred(const WaterNow& water) const;
     bool massHasChanged();
     bool shapeHasChanged() const;
     bool gravityActed() const;
-    void arrive(const StepperDef& stepper, const WaterLoad& field, bool reweighed, double dt);
-    void start(const StepperDef& stepper, const WaterLoad& field, bool gravity, double dt);
+    void arrive(const StepperDef& stepper, const WaterLoad& now, bool reweighed, double dt);
+    void start(const StepperDef& stepper, const WaterLoad& now, bool gravity, double dt);
     bool wasHeld(double dt) const;
     Motion motionBefore(double dt) const;
     void keepAwakeUnlessAtRest(const WaterNow& water);
-    void writeReport(const WaterNow& water, const WaterLoad& field, double dt);
+    void writeReport(const WaterNow& water, const WaterLoad& now, double dt);
 
     btRigidBody* m_body;
     BodyDef m_def;

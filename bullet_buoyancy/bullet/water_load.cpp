@@ -21,9 +21,10 @@ Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double tim
 }  // namespace
 
 Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
-    HydrostaticQuery query{m_water.gravity, m_water.time};
+    HydrostaticQuery query{m_water.gravity, m_time, m_water.settings.pressure, m_water.settings.tolerance};
     query.stiffness = stiffness != nullptr;
     const HydrostaticResult pressure = evaluateExact(*m_def.hull, pose, m_water.field, query);
+    m_samples += pressure.waterSamples;
     if (stiffness) *stiffness = *pressure.stiffness;
 
     Load load;
@@ -32,14 +33,14 @@ Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
     load.potential = pressure.potentialEnergy + gravitationalEnergyAt(pose);
     load.displacement = pressure.submergedVolume;
     load.centreFromCom = pressure.centreOfBuoyancyFromCom;
+    load.forceErrorBound = pressure.forceErrorBound;
     const double wet = wetFraction(load);
     const double wetDrag = wetRate(m_def.linearDrag, wet, m_def.scaleByWetFraction);
     load.dragRate = wetDrag + m_airRate;
     load.dampingRate = wetRate(m_def.angularDamping, wet, m_def.scaleByWetFraction);
     if (wetDrag > 0 && !m_water.bounds.still)
-        load.mediumVelocity =
-            wetDrag / load.dragRate *
-            waterVelocityAt(m_water.field, pose.position + load.centreFromCom, m_water.time);
+        load.mediumVelocity = wetDrag / load.dragRate *
+                              waterVelocityAt(m_water.field, pose.position + load.centreFromCom, m_time);
     return load;
 }
 

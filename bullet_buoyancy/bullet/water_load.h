@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bullet_buoyancy/bullet/body_def.h"
+#include "bullet_buoyancy/bullet/buoyancy_settings.h"
 #include "bullet_buoyancy/motion/load.h"
 #include "bullet_buoyancy/water/water_field.h"
 
@@ -12,17 +13,36 @@ struct WaterNow {
     WaterBounds bounds;
     double gravity;  ///< of the world, along the water frame's down, m/s^2
     double time;     ///< s
+    BuoyancySettings settings;
+
+    /// Its surface is a plane that stays where it is.
+    bool isCalm() const { return bounds.elevation == 0 || (bounds.still && bounds.isFlat()); }
 };
 
-/// Water and gravity as they act on one body.
+/// Water and gravity as they act on one body at one moment.
 class WaterLoad final : public LoadField {
 public:
-    /// `gravity` in m/s^2, as Bullet has it for the body; `airRate`: at which it is slowed wherever it is,
-    /// 1/s.
-    WaterLoad(const WaterNow& water, const BodyDef& def, double mass, const Vec3& gravity, double airRate)
-        : m_water(water), m_def(def), m_mass(mass), m_gravity(gravity), m_airRate(airRate) {}
+    /// Now. `gravity` in m/s^2, as Bullet has it for the body; `airRate`: at which it is slowed wherever it
+    /// is, 1/s; `samples`: counts the points at which the water is asked for its surface or head.
+    WaterLoad(const WaterNow& water, const BodyDef& def, double mass, const Vec3& gravity, double airRate,
+              int& samples)
+        : m_water(water),
+          m_def(def),
+          m_mass(mass),
+          m_gravity(gravity),
+          m_airRate(airRate),
+          m_time(water.time),
+          m_samples(samples) {}
+
+    /// The same `seconds` later, or earlier if below zero.
+    WaterLoad after(double seconds) const {
+        WaterLoad other = *this;
+        other.m_time += seconds;
+        return other;
+    }
 
     Vec3 up() const override { return m_water.field.frame().upWorld(); }
+    bool isCalm() const override { return m_water.isCalm(); }
     Load at(const Pose& pose, Mat6* stiffness = nullptr) const override;
 
     /// N
@@ -40,6 +60,8 @@ private:
     double m_mass;
     Vec3 m_gravity;
     double m_airRate;
+    double m_time;
+    int& m_samples;
 };
 
 }  // namespace bullet_buoyancy

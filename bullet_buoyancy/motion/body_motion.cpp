@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bullet_buoyancy/motion/energy_guard.h"
+#include "bullet_buoyancy/motion/free_rotation.h"
 
 namespace bullet_buoyancy {
 
@@ -37,15 +38,34 @@ double phaseSquared(const Load& from, const Flight& flight, const Inertia& inert
     return work > 0 ? dt * dt * admittance / work : 0;
 }
 
+/// How far a load would throw a body in a step, over its size.
+double throwOverSize(const Vec3& force, const Vec3& torque, const Eigen::Quaterniond& orientation,
+                     const Inertia& inertia, double size, double dt) {
+    const double acceleration =
+        std::max(inertia.velocityChange(force).norm(), size * inertia.spinChange(orientation, torque).norm());
+    return acceleration * dt * dt / (2 * size);
+}
+
+/// Square of the phase by which the field's movement in a step may excite a body at rest: by the stiffness
+/// along the change of the load, or, where the body has lost it by coming out or going under, by its size.
+double phaseSquaredOfField(const Load& before, const Load& after, const Mat6& stiffness,
+                           const Eigen::Quaterniond& orientation, const Inertia& inertia, double size,
+                           double dt) {
+    const Vec3 force = after.force - before.force, torque = after.torque - before.torque;
+    Vec6 change, answer;
+    change << force, torque;
+    answer << inertia.velocityChange(force), inertia.spinChange(orientation, torque);
+    const double admittance = change.dot(answer), ofStiffness = dt * dt * answer.dot(stiffness * answer);
+    return std::max(admittance > 0 ? ofStiffness / admittance : 0,
+                    2 * throwOverSize(force, torque, orientation, inertia, size, dt));
+}
+
 /// Share of an explicit kick that a body held by others may be given: what would throw it, were it let go in
 /// this step, no farther than its load could along its own size.
 double shareWhileHeld(const Load& load, const Motion& motion, const Inertia& inertia, double size,
                       double dt) {
-    const double acceleration =
-        std::max(inertia.velocityChange(load.force).norm(),
-                 size * inertia.spinChange(motion.pose.orientation, load.torque).norm());
-    const double throwOverSize = acceleration * dt * dt / (2 * size);
-    return throwOverSize > 1 ? 1 / std::sqrt(throwOverSize) : 1;
+    const double far = throwOverSize(load.force, load.torque, motion.pose.orientation, inertia, size, dt);
+    return far > 1 ? 1 / std::sqrt(far) : 1;
 }
 
 }  // namespace
@@ -73,21 +93,25 @@ void BodyMotion::arriveElsewhere(const Inertia& inertia, const Pose& pose, const
     m_motion.moveTo(inertia, pose);
 }
 
-void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt) {
+void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const LoadField& now, double dt) {
     m_evaluations = 0;
-    if (m_knowsLoadAhead && !m_disturbed)
+    const bool calm = m_isCalm && now.isCalm();
+    const bool foreseen = m_knowsLoadAhead && !m_disturbed && m_isCalm == now.isCalm();
+    if (foreseen)
         m_load = m_flight.load;
     else
-        evaluate(field);
+        evaluate(now);
     noteOthers();
 
     m_kick = Kick(m_load, dt);
     const bool owed = isHeld();  // others will take it: the body has it only when it leaves
     if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
-    account(inertia);
+    account(inertia, calm, foreseen);
     if (def.scheme == StepScheme::guarded)
-        limitEnergy(m_motion, inertia, m_load, {m_available, field.up(), m_isUnresolved});
+        limitEnergy(m_motion, inertia, m_load, {m_available, now.up(), m_isUnresolved});
     m_energy = totalEnergy(m_motion, inertia, m_load);
+    m_settledVelocity = m_motion.velocity;
+    m_settledSpin = m_motion.spin;
 
     m_leaving = m_motion;
     if (owed) endStep(m_leaving, inertia, shareWhileHeld(m_load, m_motion, inertia, def.size, dt));
@@ -101,7 +125,7 @@ Dissipation BodyMotion::endStep(Motion& motion, const Inertia& inertia, double s
 
 /// What the medium took. Of a step that is not resolved its estimate may be far more than the body has lost.
 void BodyMotion::spend(double now) {
-    const double estimate = m_dissipated.sum(), lost = std::max(0.0, m_energy - now);
+    const double estimate = m_dissipated.sum(), lost = std::max(0.0, m_energy + m_workOfField - now);
     const double share = m_isUnresolved && estimate > lost ? lost / estimate : 1;
     m_ledger.toDrag += share * m_dissipated.byDrag;
     m_ledger.toDamping += share * m_dissipated.byDamping;
@@ -109,8 +133,8 @@ void BodyMotion::spend(double now) {
     m_available -= share * estimate;
 }
 
-void BodyMotion::evaluate(const LoadField& field) {
-    m_load = field.at(m_motion.pose);
+void BodyMotion::evaluate(const LoadField& now) {
+    m_load = now.at(m_motion.pose);
     ++m_evaluations;
 }
 
@@ -122,17 +146,21 @@ void BodyMotion::noteOthers() {
     }
     m_arrivalVelocity = m_motion.velocity;
     m_arrivalMomentum = m_motion.momentum;
-    m_velocityChange.setZero();
-    m_angularImpulse.setZero();
 }
 
 /// What may be there from now on, and by whom it came.
-void BodyMotion::account(const Inertia& inertia) {
+void BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
     const double now = totalEnergy(m_motion, inertia, m_load);
     spend(now);
     if (m_isNew) {
         m_available = now;
-        m_ledger = {now, 0, 0, 0};
+        m_ledger = EnergyLedger();
+        m_ledger.start = now;
+    } else if (!calm) {
+        const double byOthers = workOfOthers(inertia);
+        m_ledger.byOthers += byOthers;
+        m_ledger.byWater += now - m_energy - byOthers;
+        if (!foreseen || !(m_isUnresolved || m_damps)) m_available = now;
     } else if (m_disturbed) {
         m_ledger.byOthers += now - m_energy;
         m_available = now;
@@ -141,6 +169,12 @@ void BodyMotion::account(const Inertia& inertia) {
     }
     if (m_isNew) m_disturbed = false;
     m_isNew = m_damps = false;
+}
+
+/// Of their impulses, at the mean of the body's motions at the two poses: none where they hold it.
+double BodyMotion::workOfOthers(const Inertia& inertia) const {
+    return inertia.mass * m_velocityChange.dot(m_settledVelocity + m_motion.velocity) / 2 +
+           m_angularImpulse.dot(m_settledSpin + m_motion.spin) / 2;
 }
 
 /// Others carry what is on it, and it stays where they hold it.
@@ -154,23 +188,29 @@ bool BodyMotion::mustLookAhead(const StepperDef& def, double dt) const {
     return def.stiffestRate2 * dt * dt > phase * phase;
 }
 
-void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt) {
+void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const LoadField& ahead, double dt) {
     m_knowsLoadAhead = mustLookAhead(def, dt);
+    m_isCalm = ahead.isCalm();
+    if (!m_isCalm) m_available = m_energy;
+    m_workOfField = 0;
     m_carriedForce.setZero();
     m_carriedTorque.setZero();
     m_weightOfArrival = 1;
     m_flight = flyExplicitly(inertia, def, dt);
     m_isUnresolved = m_flight.departure.spin.norm() * dt > def.turnLimit;
-    if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, field, dt);
+    if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, ahead, dt);
+    m_available += m_workOfField;
     m_dissipated = m_flight.dissipated;
     m_disturbed = false;
+    m_velocityChange.setZero();
+    m_angularImpulse.setZero();
 }
 
-void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& field,
+void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& ahead,
                              double dt) {
     m_kick = Kick(m_load, dt);
     m_damps = false;
-    depart(inertia, def, field, dt);
+    depart(inertia, def, ahead, dt);
 }
 
 Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const {
@@ -189,53 +229,101 @@ Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, 
 /// the energy of an oscillation, whose motion has come down to phase^2 / 4 of it by then. A flight that ends
 /// where energy forbids is not taken.
 Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
-                               const LoadField& field, double dt) {
-    explicitFlight.load = field.at(explicitFlight.arrival.pose);
+                               const LoadField& ahead, double dt) {
+    explicitFlight.load = ahead.at(explicitFlight.arrival.pose);
     ++m_evaluations;
-    const double phase2 = phaseSquared(m_load, explicitFlight, inertia, dt), phase = std::sqrt(phase2);
+    Mat6 stiffness;
+    const auto lookFromHere = [&] {
+        ++m_evaluations;
+        return ahead.at(m_motion.pose, &stiffness);
+    };
+    if (!m_isCalm) m_loadFromHere = lookFromHere();
+    double phase2 = phaseSquared(loadFromHere(), explicitFlight, inertia, dt);
+    if (!m_isCalm)
+        phase2 = std::max(phase2, phaseSquaredOfField(m_load, m_loadFromHere, stiffness,
+                                                      m_motion.pose.orientation, inertia, def.size, dt));
+    const double phase = std::sqrt(phase2);
     const auto isAllowed = [&](const Flight& flight, double strayed) {
-        return isWithinEnergy(flight, inertia, field.up(), strayed);
+        m_workOfField = workOfField(flight);
+        return isWithinEnergy(flight, inertia, ahead.up(), strayed, dt);
     };
     const double stillExplicit = m_disturbed ? resolvedPhase : explicitPhase;
-    if (phase <= stillExplicit && isAllowed(explicitFlight, phase2 / 2)) return explicitFlight;
+    if (phase <= stillExplicit && isAllowed(explicitFlight, phase2 / 2) &&
+        (m_isCalm || keepsEnergy(explicitFlight, inertia, stillExplicit, dt)))
+        return explicitFlight;
 
     m_isUnresolved = true;
-    FlightStart start{m_leaving, m_load, Mat6::Zero(), def.turnLimit};
-    field.at(m_motion.pose, &start.stiffness);
-    ++m_evaluations;
+    if (m_isCalm) lookFromHere();
+    const FlightStart start{m_leaving, m_load, stiffness, def.turnLimit,
+                            m_isCalm ? nullptr : &m_loadFromHere};
     constexpr double converged = 1e-3;  // what Newton's method leaves
     const double implicitness = smoothStep((phase - resolvedPhase) / (unresolvedPhase - resolvedPhase));
-    Flight flight = flyImplicitly(start, inertia, field, implicitness, dt);
+    Flight flight = flyImplicitly(start, inertia, ahead, implicitness, dt);
     if (implicitness < 1 && !isAllowed(flight, converged))
-        flight = flyImplicitly(start, inertia, field, 1, dt);
-    if (m_damps && !isAllowed(flight, 0)) flight = slideAlong(inertia, field, dt);
+        flight = flyImplicitly(start, inertia, ahead, 1, dt);
+    if (m_damps && !isAllowed(flight, 0)) flight = slideAlong(inertia, ahead, dt);
     return flight;
 }
 
-/// Across `up`, without turning: the load stays as it is.
-Flight BodyMotion::slideAlong(const Inertia& inertia, const LoadField& field, double dt) {
+/// Across `up`, without turning: in a calm field the load stays as it is.
+Flight BodyMotion::slideAlong(const Inertia& inertia, const LoadField& ahead, double dt) {
     Flight flight;
     flight.departure = m_leaving;
-    flight.departure.velocity -= field.up().dot(m_leaving.velocity) * field.up();
+    flight.departure.velocity -= ahead.up().dot(m_leaving.velocity) * ahead.up();
     flight.departure.setSpin(inertia, Vec3::Zero());
     flight.arrival = fly(flight.departure, inertia, dt, Turning::atSpin);
-    flight.load = field.at(flight.arrival.pose);
+    flight.load = ahead.at(flight.arrival.pose);
     ++m_evaluations;
     return flight;
+}
+
+/// What its change does to the body on a flight: implicit Euler has it act at the pose that the body leaves,
+/// the trapezoidal rule in equal parts there and where it arrives. What it does there is told from the change
+/// of the load: between nothing and twice as much.
+double BodyMotion::workOfField(const Flight& flight) const {
+    if (m_isCalm) return 0;
+    const Pose &from = m_motion.pose, &to = flight.arrival.pose;
+    const Vec3 turn = rotationVector(to.orientation * from.orientation.conjugate());
+    const double here = m_loadFromHere.potential - m_load.potential, most = std::abs(here);
+    const double less = (m_loadFromHere.force - m_load.force).dot(to.position - from.position) +
+                        (m_loadFromHere.torque - m_load.torque).dot(turn);
+    const double ofArrival = std::min(0.5, m_weightOfArrival);
+    return here - ofArrival * std::clamp(less, -most, most);
 }
 
 /// At its end, to `strayed` of the energy with which the body moves against the load; or at least not farther
 /// without than it began.
-bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up,
-                                double strayed) const {
+bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed,
+                                double dt) const {
     const double moving = kineticEnergy(m_leaving, inertia) - keptEnergy(m_leaving, inertia, up);
-    const double limit = m_available - keptEnergy(flight.arrival, inertia, up) + strayed * moving;
-    return flight.load.potential <= std::max(limit, m_load.potential);
+    const FlightEnd end = m_isCalm ? FlightEnd{flight.arrival, m_available} : endOf(flight, inertia, dt);
+    const double limit = end.available - keptEnergy(end.motion, inertia, up) + strayed * moving;
+    return flight.load.potential <= std::max(limit, loadFromHere().potential);
 }
 
-Flight BodyMotion::flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& field,
+/// Where the field is not calm: the load acts across `up`, too, and field and medium may give.
+BodyMotion::FlightEnd BodyMotion::endOf(const Flight& flight, const Inertia& inertia, double dt) const {
+    FlightEnd end{flight.arrival, m_available + m_workOfField};
+    Dissipation taken = flight.dissipated;
+    taken += Kick(flight.load, dt)
+                 .apply(end.motion, inertia, m_carriedForce + m_weightOfArrival * flight.load.force,
+                        m_carriedTorque + m_weightOfArrival * flight.load.torque);
+    end.available -= std::min(0.0, taken.sum());
+    return end;
+}
+
+/// To what the leapfrog strays at a phase: by phase^2 / 4 of the change of an oscillation's potential.
+bool BodyMotion::keepsEnergy(const Flight& flight, const Inertia& inertia, double phase, double dt) const {
+    const FlightEnd end = endOf(flight, inertia, dt);
+    const double moved = std::abs(flight.load.potential - m_loadFromHere.potential),
+                 ofField = std::abs(m_workOfField);
+    return totalEnergy(end.motion, inertia, flight.load) <=
+           end.available + phase * phase / 4 * (moved + 2 * ofField);
+}
+
+Flight BodyMotion::flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& ahead,
                                  double implicitness, double dt) {
-    const Flight flight = bullet_buoyancy::flyImplicitly(start, inertia, implicitness, dt, field);
+    const Flight flight = bullet_buoyancy::flyImplicitly(start, inertia, implicitness, dt, ahead);
     m_evaluations += flight.evaluations;
     const KickWeights weights(implicitness);
     m_carriedForce = weights.lastOfStart * m_load.force;

@@ -38,6 +38,9 @@ struct Disturbance {
 /// engine is given what carries the body from pose to pose, and what others do to the body on the way enters
 /// the state as an impulse.
 ///
+/// In a calm field (see LoadField) the body is held to the energy that is left of its start's. In any other,
+/// what a flight that is not resolved may have is that with which it began, and the work of the field.
+///
 /// Each step: one of `start`, `arrive`, `arriveElsewhere`; then `settle`; then `depart`.
 class BodyMotion {
 public:
@@ -53,14 +56,18 @@ public:
     /// Others acted on the way.
     void arriveElsewhere(const Inertia& inertia, const Pose& pose, const Disturbance& disturbance);
 
-    /// Ends the step: after it, `motion` is that at the pose, and `load` what acts there.
-    void settle(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
+    /// The field at the end of the step is not the one that was shown when it began.
+    void forgetLoadAhead() { m_knowsLoadAhead = false; }
 
-    /// Begins the next step: with `departure`, to `target`.
-    void depart(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
+    /// Ends the step: after it, `motion` is that at the pose, and `load` what acts there. `now`: the field at
+    /// this moment.
+    void settle(const Inertia& inertia, const StepperDef& def, const LoadField& now, double dt);
+
+    /// Begins the next step: with `departure`, to `target`. `ahead`: the field after `dt` (s).
+    void depart(const Inertia& inertia, const StepperDef& def, const LoadField& ahead, double dt);
 
     /// In place of the last time, since the step was of another length.
-    void departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& field, double dt);
+    void departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& ahead, double dt);
 
     const Motion& motion() const { return m_motion; }
     const Motion& departure() const { return m_flight.departure; }
@@ -74,20 +81,32 @@ public:
     int evaluations() const { return m_evaluations; }
 
 private:
+    /// After the kick that ends a flight, with the most energy that the body may have then, J.
+    struct FlightEnd {
+        Motion motion;
+        double available;
+    };
+
     Dissipation endStep(Motion& motion, const Inertia& inertia, double share) const;
-    void evaluate(const LoadField& field);
+    void evaluate(const LoadField& now);
     void noteOthers();
     void spend(double now);
-    void account(const Inertia& inertia);
+    void account(const Inertia& inertia, bool calm, bool foreseen);
+    double workOfOthers(const Inertia& inertia) const;
     bool isHeld() const;
     bool mustLookAhead(const StepperDef& def, double dt) const;
     Flight flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const;
     Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
-                       const LoadField& field, double dt);
-    Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& field,
+                       const LoadField& ahead, double dt);
+    Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& ahead,
                          double implicitness, double dt);
-    Flight slideAlong(const Inertia& inertia, const LoadField& field, double dt);
-    bool isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed) const;
+    Flight slideAlong(const Inertia& inertia, const LoadField& ahead, double dt);
+    double workOfField(const Flight& flight) const;
+    bool isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed,
+                        double dt) const;
+    FlightEnd endOf(const Flight& flight, const Inertia& inertia, double dt) const;
+    bool keepsEnergy(const Flight& flight, const Inertia& inertia, double phase, double dt) const;
+    const Load& loadFromHere() const { return m_isCalm ? m_load : m_loadFromHere; }
 
     Motion m_motion;
     Load m_load;
@@ -95,6 +114,8 @@ private:
     Kick m_kick;                         // by the load, for half a step
     Flight m_flight;                     // the one under way
     bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
+    bool m_isCalm = true;                // the field that the flight was shown
+    Load m_loadFromHere;                 // of a field that is not: at the flight's end, at the pose it leaves
     Vec3 m_carriedForce = Vec3::Zero();  // what the kick that ends the flight takes from its start
     Vec3 m_carriedTorque = Vec3::Zero();
     double m_weightOfArrival = 1;  // of the load there in that kick
@@ -105,12 +126,14 @@ private:
     bool m_disturbed = true;
     Vec3 m_velocityChange = Vec3::Zero(), m_angularImpulse = Vec3::Zero();
     Vec3 m_arrivalVelocity = Vec3::Zero(), m_arrivalMomentum = Vec3::Zero();  // before `settle`
+    Vec3 m_settledVelocity = Vec3::Zero(), m_settledSpin = Vec3::Zero();      // after it
     Relief m_linearRelief, m_angularRelief;
 
     bool m_isNew = true;
     Dissipation m_dissipated;  // in the step under way
     double m_energy = 0;       // kinetic and potential at the last pose, J
     double m_available = 0;    // the most that it may be, J
+    double m_workOfField = 0;  // on the flight under way, as foreseen, J
     EnergyLedger m_ledger;
     int m_evaluations = 0;
 };

@@ -33,13 +33,13 @@ struct Trial {
 class Minimiser {
 public:
     Minimiser(const FlightStart& start, const Inertia& inertia, double implicitness, double dt,
-              const LoadField& field)
+              const LoadField& ahead)
         : m_start(start),
           m_inertia(inertia),
           m_weights(implicitness),
           m_kick(start.load, dt),
           m_dt(dt),
-          m_field(field) {
+          m_field(ahead) {
         Motion explicitPart = start.motion;
         m_kick.apply(explicitPart, inertia, m_weights.firstOfStart * start.load.force,
                      m_weights.firstOfStart * start.load.torque);
@@ -69,14 +69,17 @@ public:
     }
 
 private:
-    /// At rest along `up` the start's load, stiffness and potential are those of the end.
+    /// At rest, and in a calm field at rest along `up`, the load of the end is that at the start's pose.
     Trial fromRest() const {
         const Vec3 up = m_field.up(), velocity = m_explicit.head<3>(), spin = m_explicit.tail<3>();
         Trial rest;
-        rest.u = stacked(velocity - up.dot(velocity) * up, up.dot(spin) * up);
-        rest.flight.load = m_start.load;
+        if (m_start.loadAhead)
+            rest.u.setZero();
+        else
+            rest.u = stacked(velocity - up.dot(velocity) * up, up.dot(spin) * up);
+        rest.flight.load = m_start.loadAhead ? *m_start.loadAhead : m_start.load;
         rest.stiffness = m_start.stiffness;
-        rest.potential = kineticPart(rest.u) + m_start.load.potential;
+        rest.potential = kineticPart(rest.u) + rest.flight.load.potential;
         return rest;
     }
 
@@ -215,8 +218,8 @@ private:
 }  // namespace
 
 Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, double implicitness, double dt,
-                     const LoadField& field) {
-    return Minimiser(start, inertia, implicitness, dt, field).minimise();
+                     const LoadField& ahead) {
+    return Minimiser(start, inertia, implicitness, dt, ahead).minimise();
 }
 
 }  // namespace bullet_buoyancy

@@ -29,18 +29,20 @@ struct KickWeights {
 /// Where a step begins, and what is known there.
 struct FlightStart {
     Motion motion;
-    Load load;
-    Mat6 stiffness;    ///< see LoadField
-    double turnLimit;  ///< see `fly`
+    Load load;                        ///< at the pose when the step begins
+    Mat6 stiffness;                   ///< see LoadField; at the pose when the step ends
+    double turnLimit;                 ///< see `fly`
+    const Load* loadAhead = nullptr;  ///< at the pose when the step ends; null: `load`, in a calm field
 };
 
 /// The step of `dt` (s) with the load at its end: the velocity and spin u of the flight minimise the
 /// incremental potential
 ///     1/2 (u - u_explicit)^T M (u - u_explicit) dt / gain + potential(pose moved by dt u),
 /// by Newton's method with the stiffness and a line search on that potential (Ortiz and Stainier 1999; Martin
-/// et al. 2011). It begins from rest along `up`, where the potential is that of the start, so that the flight
-/// ends no higher than the energy of the start allows, whatever is met on the way.
+/// et al. 2011), that of the field when the step ends. It begins from rest, or in a calm field from rest
+/// along `up`, where that potential is known, so that the flight ends no higher than the energy of the start
+/// and the work of the field at its pose allow, whatever is met on the way.
 Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, double implicitness, double dt,
-                     const LoadField& field);
+                     const LoadField& ahead);
 
 }  // namespace bullet_buoyancy

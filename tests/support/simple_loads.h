@@ -23,6 +23,7 @@ public:
     Medium medium;
 
     Vec3 up() const override { return Vec3::UnitZ(); }
+    bool isCalm() const override { return true; }
 
 protected:
     ~SimpleLoad() = default;
@@ -134,6 +135,27 @@ public:
 
 private:
     double m_spring, m_halfWidth;
+};
+
+/// Another load whose place is moved (m), as it is at one moment of a motion: of a body of a given weight
+/// (N), which does not move with it.
+class MovedLoad final : public SimpleLoad {
+public:
+    MovedLoad(const LoadField& load, const Vec3& place, double weight = 0)
+        : m_load(load), m_place(place), m_weight(weight) {}
+
+    bool isCalm() const override { return false; }
+
+    Load at(const Pose& pose, Mat6* stiffness = nullptr) const override {
+        Load load = m_load.at({pose.position - m_place, pose.orientation}, stiffness);
+        load.potential += m_weight * m_place.z();
+        return load;
+    }
+
+private:
+    const LoadField& m_load;
+    Vec3 m_place;
+    double m_weight;
 };
 
 /// The corners of a box, in body axes.
