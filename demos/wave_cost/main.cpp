@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
         "Times what waves cost: boxes in the action's part of a substep of 1/60 s, and the evaluation of "
         "the\n"
         "pressure on them by itself, in seas of several kinds and tolerances beside flat water in the same\n"
-        "run. Medians over rounds, one thread.",
+        "run. Processor time, medians over rounds, one thread.",
         "wave_cost"};
     app.option_defaults()->always_capture_default();
     app.add_option("--bodies", options.bodies, "boxes in each water")->check(CLI::Range(1, 100000));
