@@ -40,8 +40,7 @@ inline DepthPoint waterlinePoint(const DepthPoint& wet, const DepthPoint& dry) {
 
 inline HeadPoint waterlinePoint(const HeadPoint& wet, const HeadPoint& dry) {
     const double fraction = wet.depth / (wet.depth - dry.depth);
-    return {wet.position + fraction * (dry.position - wet.position), 0,
-            wet.head + fraction * (dry.head - wet.head)};
+    return {wet.position + fraction * (dry.position - wet.position), 0, 0};
 }
 
 /// Share of a triangle's area that lies under water, from the depths alone.

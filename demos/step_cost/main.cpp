@@ -1,11 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 
 #include "scenes/float_scene.h"
+#include "scenes/stopwatch.h"
 
 namespace bullet_buoyancy::demo {
 namespace {
@@ -30,32 +29,6 @@ struct Case {
 struct Cost {
     double nanoseconds;  // a body and step, median over the steps
     double evaluations;  // of the water's pressure, a body and step, mean
-};
-
-/// Times an action within the world's step.
-class Stopwatch : public btActionInterface {
-public:
-    explicit Stopwatch(btActionInterface& action) : m_action(action) {}
-
-    void updateAction(btCollisionWorld* world, btScalar dt) override {
-        const auto start = std::chrono::steady_clock::now();
-        m_action.updateAction(world, dt);
-        const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
-        m_times.push_back(passed.count());
-    }
-    void debugDraw(btIDebugDraw*) override {}
-
-    /// ns; the first tenth warms up.
-    double median() {
-        const auto begin = m_times.begin() + std::ptrdiff_t(m_times.size() / 10);
-        const auto middle = begin + (m_times.end() - begin) / 2;
-        std::nth_element(begin, middle, m_times.end());
-        return *middle;
-    }
-
-private:
-    btActionInterface& m_action;
-    std::vector<double> m_times;
 };
 
 /// Apart from each other, each at another height and heel, so that nothing can be learnt by heart.

@@ -26,21 +26,6 @@ struct Case {
     double bound() const { return result.forceErrorBound / weight(); }
 };
 
-/// With its bounding sphere across the surface of the sea, anywhere within 100 m.
-Pose poseAcross(const WaterField& water, const Hull& hull, double time, Random& random) {
-    const WaterFrame& frame = water.frame();
-    Eigen::ArrayX2d point(1, 2);
-    point << random.uniform(-100, 100), random.uniform(-100, 100);
-    Eigen::ArrayX3d surface(1, 3);
-    water.sampleSurface(point, time, surface);
-    const double height = surface(0, 0) + random.uniform(-1, 1) * hull.bounds.radius;
-    Pose pose;
-    pose.orientation = random.orientation();
-    pose.position = frame.originWorld() + frame.worldFromFrame() * Vec3(point(0, 0), point(0, 1), height) -
-                    pose.orientation * hull.bounds.centre;
-    return pose;
-}
-
 std::vector<NamedHull> allHulls() {
     std::vector<NamedHull> hulls = polyhedra();
     for (const NamedHull& solid : smoothSolids())

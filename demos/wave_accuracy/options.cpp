@@ -1,0 +1,31 @@
+#include "wave_accuracy/options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace bullet_buoyancy::demo {
+
+std::optional<AccuracyOptions> parseAccuracyOptions(int argc, char** argv, int& exitStatus) {
+    AccuracyOptions options;
+    CLI::App app{
+        "Puts hulls a fifth as long as the waves across the surface of irregular seas, at random, and "
+        "measures\n"
+        "what a tolerance buys: the true error of force and torque, against adaptive quadrature under the\n"
+        "true surface, beside the bound that the evaluation states; points at which the water was asked; "
+        "and\n"
+        "time, beside that of the same hull in flat water. Exit status 1 if a force is farther off than its\n"
+        "bound says.",
+        "wave_accuracy"};
+    app.option_defaults()->always_capture_default();
+    app.add_option("--poses", options.poses, "poses of each hull in each sea")->check(CLI::Range(1, 100000));
+    app.add_flag("--dynamic", options.dynamic, "pressure of the undisturbed waves, instead of hydrostatic");
+    app.add_option("--csv", options.csv, "write the table to this file");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        exitStatus = app.exit(error);
+        return std::nullopt;
+    }
+    return options;
+}
+
+}  // namespace bullet_buoyancy::demo

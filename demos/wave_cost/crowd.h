@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes/float_scene.h"
+#include "scenes/stopwatch.h"
+
+namespace bullet_buoyancy::demo {
+
+/// Boxes of 1 m and a density ratio of 0.5 that float in any water, by an action of their own; 4 m apart, so
+/// that they do not touch.
+class Crowd {
+public:
+    /// The water must outlive the crowd; its frame must be z up.
+    Crowd(const WaterField& water, const BuoyancySettings& settings, int count);
+    ~Crowd();
+    Crowd(const Crowd&) = delete;
+    Crowd& operator=(const Crowd&) = delete;
+
+    /// Steps of 1/60 s. Returns ns of the action's part of a step, a body: median over the steps.
+    double step(int steps);
+
+    /// ns to evaluate the pressure on a body by itself, mean over all of them where they are now.
+    double evaluate() const;
+
+    /// Points at which an evaluation asks the water, mean.
+    double samples() const;
+
+    /// Of the water's pressure in the last step, a body, mean.
+    double evaluations() const;
+
+private:
+    HydrostaticQuery query() const;
+
+    const WaterField& m_water;
+    BuoyancySettings m_settings;
+    BuoyancyAction m_action;
+    scenes::Stopwatch m_stopwatch{m_action};
+    scenes::FloatScene m_scene;
+    std::vector<btRigidBody*> m_bodies;
+    std::shared_ptr<const Hull> m_hull;
+};
+
+}  // namespace bullet_buoyancy::demo

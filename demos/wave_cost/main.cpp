@@ -1,0 +1,134 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+#include "scenes/study_seas.h"
+#include "wave_cost/crowd.h"
+
+namespace bullet_buoyancy::demo {
+namespace {
+
+using namespace scenes;
+
+struct Options {
+    int bodies = 1000, steps = 30, rounds = 9;
+    std::string csv;
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Of one crowd, a figure a round: ns a body, and over those of the crowd in flat water in the same round.
+struct Costs {
+    std::vector<double> step, stepOverFlat, evaluation, evaluationOverFlat;
+};
+
+struct CrowdInSea {
+    std::string sea;
+    double tolerance;
+    std::unique_ptr<Crowd> crowd;
+    Costs costs;
+};
+
+/// Waves of a sea of 1 m and 6 s without the short ones, which as Gerstner waves would loop; and a sea with
+/// all the short waves of its spectrum.
+std::vector<NamedSea> allSeas() {
+    StudySeaDef smooth;
+    smooth.components = 16;
+    smooth.spreading = 10;
+    smooth.highestFrequency = 2;
+    StudySeaDef irregular;
+    irregular.spreading = 10;
+    return {gerstnerSea("16 Gerstner waves from 14 m on", smooth),
+            airySea("16 Airy waves from 14 m on", smooth),
+            airySea("JONSWAP of 64 waves from 3.5 m on", irregular)};
+}
+
+/// The first is in flat water.
+std::vector<CrowdInSea> allCrowds(const std::vector<NamedSea>& seas, const WaterField& flat, int bodies) {
+    std::vector<CrowdInSea> crowds;
+    const auto add = [&](const std::string& name, const WaterField& water, double tolerance) {
+        const BuoyancySettings settings{PressureModel::hydrostatic, tolerance};
+        crowds.push_back({name, tolerance, std::make_unique<Crowd>(water, settings, bodies), {}});
+    };
+    add("flat water", flat, 1e-2);
+    for (const NamedSea& sea : seas)
+        for (double tolerance : {1e-2, 1e-3})
+            add(sea.name, *sea.water, tolerance);
+    return crowds;
+}
+
+/// In turn, so that what else the machine does falls on all alike.
+void runRound(std::vector<CrowdInSea>& crowds, int steps) {
+    for (CrowdInSea& c : crowds) {
+        c.costs.step.push_back(c.crowd->step(steps));
+        c.costs.stepOverFlat.push_back(c.costs.step.back() / crowds[0].costs.step.back());
+        c.costs.evaluation.push_back(c.crowd->evaluate());
+        c.costs.evaluationOverFlat.push_back(c.costs.evaluation.back() / crowds[0].costs.evaluation.back());
+    }
+}
+
+void print(const std::vector<CrowdInSea>& crowds, std::ofstream& csv) {
+    std::printf("%-35s %9s %9s %8s %12s %9s %8s %8s\n", "sea", "tolerance", "us a step", "of flat",
+                "evaluations", "us alone", "of flat", "samples");
+    for (const CrowdInSea& c : crowds) {
+        const double step = median(c.costs.step) / 1000, stepOverFlat = median(c.costs.stepOverFlat),
+                     alone = median(c.costs.evaluation) / 1000,
+                     aloneOverFlat = median(c.costs.evaluationOverFlat), samples = c.crowd->samples(),
+                     evaluations = c.crowd->evaluations();
+        std::printf("%-35s %9.0e %9.3f %8.2f %12.2f %9.3f %8.2f %8.1f\n", c.sea.c_str(), c.tolerance, step,
+                    stepOverFlat, evaluations, alone, aloneOverFlat, samples);
+        if (csv)
+            csv << '"' << c.sea << "\"," << c.tolerance << ',' << step << ',' << stepOverFlat << ','
+                << evaluations << ',' << alone << ',' << aloneOverFlat << ',' << samples << '\n';
+    }
+}
+
+int run(const Options& options) {
+    const FlatWater flat(WaterFrame::zUp());
+    const std::vector<NamedSea> seas = allSeas();
+    std::ofstream csv;
+    if (!options.csv.empty()) {
+        csv.open(options.csv);
+        csv << "sea,tolerance,us_a_step,step_of_flat,evaluations,us_alone,alone_of_flat,samples\n";
+    }
+    std::printf("%d boxes of 1 m, ratio 0.5; seas of 1 m and 6 s; steps of 1/60 s; a box's part of each.\n",
+                options.bodies);
+    for (const NamedSea& sea : seas)
+        std::printf("%s: steepness %.2f\n", sea.name.c_str(), sea.steepness);
+    std::vector<CrowdInSea> crowds = allCrowds(seas, flat, options.bodies);
+    for (CrowdInSea& c : crowds)
+        c.crowd->step(options.steps);  // from where they were put to how they float
+    for (int round = 0; round < options.rounds; ++round)
+        runRound(crowds, options.steps);
+    print(crowds, csv);
+    std::printf("16 Gerstner waves at 1e-2: %.2f times flat water in the action, asked for: at most 3\n",
+                median(crowds[1].costs.stepOverFlat));
+    if (options.csv.empty() || csv.flush()) return 0;
+    std::fprintf(stderr, "wave_cost: cannot write %s\n", options.csv.c_str());
+    return 1;
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::demo
+
+int main(int argc, char** argv) {
+    bullet_buoyancy::demo::Options options;
+    CLI::App app{
+        "Times what waves cost: boxes in the action's part of a substep of 1/60 s, and the evaluation of "
+        "the\n"
+        "pressure on them by itself, in seas of several kinds and tolerances beside flat water in the same\n"
+        "run. Processor time, medians over rounds, one thread.",
+        "wave_cost"};
+    app.option_defaults()->always_capture_default();
+    app.add_option("--bodies", options.bodies, "boxes in each water")->check(CLI::Range(1, 100000));
+    app.add_option("--steps", options.steps, "steps of each round")->check(CLI::Range(10, 100000));
+    app.add_option("--rounds", options.rounds, "rounds")->check(CLI::Range(1, 1000));
+    app.add_option("--csv", options.csv, "write the table to this file");
+    CLI11_PARSE(app, argc, argv);
+    return bullet_buoyancy::demo::run(options);
+}
