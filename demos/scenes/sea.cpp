@@ -8,9 +8,6 @@ namespace bullet_buoyancy::scenes {
 
 namespace {
 
-/// Twice the library's own, so that their lines are close enough for a smooth spectrum.
-constexpr int componentCount = 128;
-
 /// The grid takes no waves shorter than four of its spacings, at this times the frequency of the peak.
 constexpr double gridHighestFrequency = 3;
 constexpr double spacingsInShortestWave = 4;
@@ -66,7 +63,7 @@ void Sea::makeIrregular() {
     def.spectrum = spectrumOf(m_def);
     def.direction = m_def.direction;
     def.spreading = m_def.spreading;
-    def.components = componentCount;
+    def.components = m_def.components;
     def.seed = m_def.seed;
     if (m_def.kind == SeaKind::grid) def.highestFrequency = gridHighestFrequency;
     const SeaState state = makeSeaState(def);

@@ -29,6 +29,9 @@ struct SeaDef {
     double direction = pi;  ///< the way the waves travel: from x towards y, rad
     double spreading = std::numeric_limits<double>::infinity();  ///< see `SeaStateDef`
     std::uint64_t seed = 1;
+    /// Of an irregular sea: twice the library's own, so that their lines are close enough for a smooth
+    /// spectrum.
+    int components = 128;
     double currentSpeed = 0;           ///< of a uniform current the way the waves travel, m/s
     double density = seaWaterDensity;  ///< kg/m^3
     double gridReach = 20;             ///< of the grid to each side of what floats on it, m
