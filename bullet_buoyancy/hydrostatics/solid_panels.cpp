@@ -145,6 +145,20 @@ Grid transposed(const Grid& g) {
     return result;
 }
 
+/// Largest second difference along the second index.
+double bendOf(const Grid& g) {
+    double bend = 0;
+    for (const std::array<double, 3>& line : g)
+        bend = std::max(bend, std::abs(line[0] - 2 * line[1] + line[2]));
+    return bend;
+}
+
+/// By how much a biquadratic through nine values may be beyond the least and the most of them, with as much
+/// again for what is not quadratic.
+double beyond(const Grid& g) {
+    return std::max(bendOf(g), bendOf(transposed(g))) / 2;
+}
+
 /// How the depth changes along the lines of a panel.
 struct Steepness {
     double least;  // if above zero, all change the same way, this fast or faster
@@ -209,7 +223,8 @@ public:
     }
 
 private:
-    static constexpr int mostQuarterings = 7;
+    static constexpr int mostHalvings = 14;
+    static constexpr double reachingOver = 0.7;  // of the error allowed
 
     void add(const Profile& profile) {
         m_profile = &profile;
@@ -225,8 +240,9 @@ private:
 
     bool isHydrostatic() const { return m_water.pressure() == PressureModel::hydrostatic; }
 
-    Element element(const Profile::Point& p, double angle) const {
-        const Vec3 outward = std::cos(angle) * m_first + std::sin(angle) * m_second;
+    Vec3 outwardAt(double angle) const { return std::cos(angle) * m_first + std::sin(angle) * m_second; }
+
+    Element element(const Profile::Point& p, const Vec3& outward) const {
         return {m_body.origin + p.x * m_body.axis + p.radius * outward,
                 p.radiusTimesDx * outward - p.radiusTimesSlope * m_body.axis};
     }
@@ -240,14 +256,17 @@ private:
         Vec3 error = Vec3::Zero();  // of the expansion, over the panel
         Vec3 area = Vec3::Zero();   // of the projections' absolute values
         Vec3 size;                  // along the body's axes
+        bool isLong;                // along the profile
     };
 
     Sight look(const Panel& panel) const {
         std::array<std::array<Element, 3>, 3> elements;
+        const std::array<Vec3, 3> outward{outwardAt(panel.angle.begin), outwardAt(panel.angle.at(0.5)),
+                                          outwardAt(panel.angle.end)};
         for (std::size_t i = 0; i < 3; ++i) {
             const Profile::Point p = m_profile->at(panel.t.at(double(i) / 2));
             for (std::size_t j = 0; j < 3; ++j)
-                elements[i][j] = element(p, panel.angle.at(double(j) / 2));
+                elements[i][j] = element(p, outward[j]);
         }
         Sight sight;
         sight.water = &m_water.near(elements[1][1].position);
@@ -273,38 +292,31 @@ private:
                 high = high.cwiseMax(e.position);
             }
         sight.size = high - low;
+        sight.isLong = (elements[2][1].position - elements[0][1].position).squaredNorm() >
+                       (elements[1][2].position - elements[1][0].position).squaredNorm();
         return sight;
     }
 
-    /// By how much a biquadratic through nine values may be beyond the least and the most of them, with as
-    /// much again for what is not quadratic.
-    static double beyond(const Grid& g) {
-        double bend = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            bend = std::max(
-                {bend, std::abs(g[i][0] - 2 * g[i][1] + g[i][2]), std::abs(g[0][i] - 2 * g[1][i] + g[2][i])});
-        return bend / 2;
-    }
-
-    void add(const Panel& panel, int quarterings) {
+    void add(const Panel& panel, int halvings) {
         const Sight sight = look(panel);
         const double bulge = beyond(sight.depth);
         if (sight.most + bulge + sight.largestError <= 0) return;
-        const bool mayQuarter = quarterings < mostQuarterings;
-        if (mayQuarter && sight.largestError > m_headError && isLargerThanACell(sight))
-            return addQuarters(panel, quarterings + 1);
+        const bool mayHalve = halvings < mostHalvings;
+        if (mayHalve && sight.error.norm() > reachingOver * m_headError * sight.area.norm() &&
+            isLargerThanACell(sight))
+            return addHalves(panel, sight.isLong, halvings + 1);
         if (sight.most + bulge <= 0) return noteDry(sight);
         if (sight.least - bulge >= 0) return addWhole(panel, sight);
 
         const Steepness alongAngle = steepnessOf(sight.depth), alongT = steepnessOf(transposed(sight.depth));
         // The lines' ends are smooth functions where no line runs along the waterline.
         constexpr double steady = 0.2;
-        if (alongAngle.least > steady * alongAngle.most) return addCut<true>(panel, sight, alongAngle.least);
-        if (alongT.least > steady * alongT.most) return addCut<false>(panel, sight, alongT.least);
+        if (alongAngle.least > steady * alongAngle.most) return addCut(panel, sight, true, alongAngle.least);
+        if (alongT.least > steady * alongT.most) return addCut(panel, sight, false, alongT.least);
         const double dryDepth = bulge - sight.least, wetDepth = sight.most + bulge;
         const double leftOut = std::min(dryDepth, wetDepth);
-        if (mayQuarter && leftOut * sight.area.norm() > m_allowedAtTouch)
-            return addQuarters(panel, quarterings + 1);
+        if (mayHalve && leftOut * sight.area.norm() > m_allowedAtTouch)
+            return addHalves(panel, bendOf(transposed(sight.depth)) > bendOf(sight.depth), halvings + 1);
         m_integrals.lastingError += leftOut * sight.area;
         if (dryDepth < wetDepth)
             addWhole(panel, sight);
@@ -317,24 +329,26 @@ private:
         return m_water.cellCount() > 1 && (sight.size - (1 + rounding) * m_water.cell()).maxCoeff() > 0;
     }
 
-    void addQuarters(const Panel& panel, int quarterings) {
-        const double t = panel.t.at(0.5), angle = panel.angle.at(0.5);
-        for (const Range& halfT : {Range{panel.t.begin, t}, Range{t, panel.t.end}})
-            for (const Range& halfAngle : {Range{panel.angle.begin, angle}, Range{angle, panel.angle.end}})
-                add({halfT, halfAngle}, quarterings);
+    void addHalves(const Panel& panel, bool acrossT, int halvings) {
+        const Range& whole = acrossT ? panel.t : panel.angle;
+        for (const Range& half : {Range{whole.begin, whole.at(0.5)}, Range{whole.at(0.5), whole.end}})
+            add(acrossT ? Panel{half, panel.angle} : Panel{panel.t, half}, halvings);
     }
 
     void noteDry(const Sight& sight) { m_integrals.error += sight.error; }
 
     void addWhole(const Panel& panel, const Sight& sight) {
         m_integrals.error += sight.error;
+        std::array<Vec3, order> outward;
+        for (std::size_t j = 0; j < order; ++j)
+            outward[j] = outwardAt(panel.angle.at((1 + m_gauss.nodes[j]) / 2));
+        const double area = panel.t.length() * panel.angle.length() / 4;
         for (std::size_t i = 0; i < order; ++i) {
-            const double t = panel.t.at((1 + m_gauss.nodes[i]) / 2);
-            const double weight = m_gauss.weights[i] / 4 * panel.t.length() * panel.angle.length();
-            const Profile::Point p = m_profile->at(t);
+            const Profile::Point p = m_profile->at(panel.t.at((1 + m_gauss.nodes[i]) / 2));
             for (std::size_t j = 0; j < order; ++j) {
-                const Element e = element(p, panel.angle.at((1 + m_gauss.nodes[j]) / 2));
-                addElement(*sight.water, e.position, weight * m_gauss.weights[j] * e.density);
+                const Element e = element(p, outward[j]);
+                addElement(*sight.water, e.position,
+                           area * m_gauss.weights[i] * m_gauss.weights[j] * e.density);
             }
         }
     }
@@ -352,42 +366,57 @@ private:
         if (m_query.waterplane) m_integrals.addWaterplane(-areaUp, position + depth * up, Mat3::Zero());
     }
 
-    /// Lines run along the angle or along the profile.
-    template <bool alongAngle>
-    Element elementAt(double across, double along) const {
-        return alongAngle ? element(m_profile->at(across), along) : element(m_profile->at(along), across);
-    }
+    /// Across a panel: round the axis at one place of the profile, or along the profile at one angle.
+    class Line {
+    public:
+        Line(const Panels& panels, bool isRound, double place) : m_panels(panels), m_isRound(isRound) {
+            if (isRound)
+                m_point = panels.m_profile->at(place);
+            else
+                m_outward = panels.outwardAt(place);
+        }
 
-    template <bool alongAngle>
-    void addCut(const Panel& panel, const Sight& sight, double leastSteepness) {
-        const Range across = alongAngle ? panel.t : panel.angle, along = alongAngle ? panel.angle : panel.t;
-        const auto depthAt = [&](double s, double l) {
-            return sight.water->depthAt(elementAt<alongAngle>(s, l).position);
-        };
+        Element at(double l) const {
+            return m_isRound ? m_panels.element(m_point, m_panels.outwardAt(l))
+                             : m_panels.element(m_panels.m_profile->at(l), m_outward);
+        }
+
+    private:
+        const Panels& m_panels;
+        bool m_isRound;
+        Profile::Point m_point;
+        Vec3 m_outward;
+    };
+
+    /// Along lines on which the depth changes all one way, by `leastSteepness` at least.
+    void addCut(const Panel& panel, const Sight& sight, bool areRound, double leastSteepness) {
+        const Range across = areRound ? panel.t : panel.angle, along = areRound ? panel.angle : panel.t;
         // Where the waterline leaves the panel at an end of the lines their wet part has a kink.
         Stops stops(across);
-        for (double end : {along.begin, along.end})
-            for (const Range& half :
-                 {Range{across.begin, across.at(0.5)}, Range{across.at(0.5), across.end}}) {
-                const double first = depthAt(half.begin, end), last = depthAt(half.end, end);
-                if ((first > 0) != (last > 0))
-                    stops.insert(rootOf([&](double s) { return depthAt(s, end); }, half, first, last));
+        for (std::size_t last : {std::size_t(0), std::size_t(2)}) {
+            const auto depth = [&](std::size_t i) {
+                return areRound ? sight.depth[i][last] : sight.depth[last][i];
+            };
+            for (std::size_t i : {std::size_t(0), std::size_t(1)}) {
+                if ((depth(i) > 0) == (depth(i + 1) > 0)) continue;
+                const Line edge(*this, !areRound, last == 0 ? along.begin : along.end);
+                stops.insert(rootOf([&](double s) { return sight.water->depthAt(edge.at(s).position); },
+                                    {across.at(double(i) / 2), across.at(double(i + 1) / 2)}, depth(i),
+                                    depth(i + 1)));
             }
+        }
         for (std::size_t i = 0; i + 1 < stops.count; ++i)
-            addLines<alongAngle>({stops.at[i], stops.at[i + 1]}, along, *sight.water);
+            addLines(areRound, {stops.at[i], stops.at[i + 1]}, along, *sight.water);
         // Where the true surface is above an expansion's.
         m_integrals.error +=
             sight.largestError * std::min(1.0, sight.largestError / leastSteepness) * sight.area;
     }
 
-    template <bool alongAngle>
-    void addLines(const Range& across, const Range& along, const WaterExpansion& water) {
+    void addLines(bool areRound, const Range& across, const Range& along, const WaterExpansion& water) {
         if (!(across.length() > 0)) return;
         for (std::size_t i = 0; i < order; ++i) {
-            const double s = across.at((1 + m_gauss.nodes[i]) / 2);
-            const auto depthAt = [&](double l) {
-                return water.depthAt(elementAt<alongAngle>(s, l).position);
-            };
+            const Line line(*this, areRound, across.at((1 + m_gauss.nodes[i]) / 2));
+            const auto depthAt = [&](double l) { return water.depthAt(line.at(l).position); };
             const double first = depthAt(along.begin), last = depthAt(along.end);
             if (first <= 0 && last <= 0) continue;
             Range wet = along;
@@ -395,7 +424,7 @@ private:
                 (first > 0 ? wet.end : wet.begin) = rootOf(depthAt, along, first, last);
             const double weight = m_gauss.weights[i] / 4 * across.length() * wet.length();
             for (std::size_t j = 0; j < order; ++j) {
-                const Element e = elementAt<alongAngle>(s, wet.at((1 + m_gauss.nodes[j]) / 2));
+                const Element e = line.at(wet.at((1 + m_gauss.nodes[j]) / 2));
                 const Vec3 areaVector = weight * m_gauss.weights[j] * e.density;
                 addElement(water, e.position, areaVector);
                 m_integrals.error += m_water.errorAt(water, e.position) * areaVector.cwiseAbs();
@@ -404,10 +433,11 @@ private:
     }
 
     /// False position with Anderson and Bjorck's reductions: the values at the ends have different signs.
+    /// What remains matters by its square: the head is zero at the waterline.
     template <typename Function>
     static double rootOf(const Function& f, Range range, double first, double last) {
         constexpr int mostSteps = 20;
-        const double small = 1e-9 * (std::abs(first) + std::abs(last));
+        const double small = 1e-6 * (std::abs(first) + std::abs(last));
         double root = range.begin;
         for (int step = 0; step < mostSteps; ++step) {
             root = range.begin + range.length() * first / (first - last);
