@@ -193,8 +193,11 @@ double areaOf(const RoundBody& body) {
     return area;
 }
 
-constexpr std::size_t order = 4;  // of the quadrature: eight digits for the sines over a sixth of a turn
+/// Over a sixth of a turn four nodes are good for seven digits of a sine.
+constexpr std::size_t few = 4;
+constexpr double quadratureError = 1e-6;  // over the largest head, or over the range of it where it is cut
 
+template <std::size_t order>
 const GaussLegendre<order>& gaussRule() {
     static const GaussLegendre<order> rule;
     return rule;
@@ -311,8 +314,8 @@ private:
         const Steepness alongAngle = steepnessOf(sight.depth), alongT = steepnessOf(transposed(sight.depth));
         // The lines' ends are smooth functions where no line runs along the waterline.
         constexpr double steady = 0.2;
-        if (alongAngle.least > steady * alongAngle.most) return addCut(panel, sight, true, alongAngle.least);
-        if (alongT.least > steady * alongT.most) return addCut(panel, sight, false, alongT.least);
+        if (alongAngle.least > steady * alongAngle.most) return addCut(panel, sight, true, alongAngle);
+        if (alongT.least > steady * alongT.most) return addCut(panel, sight, false, alongT);
         const double dryDepth = bulge - sight.least, wetDepth = sight.most + bulge;
         const double leftOut = std::min(dryDepth, wetDepth);
         if (mayHalve && leftOut * sight.area.norm() > m_allowedAtTouch)
@@ -339,13 +342,14 @@ private:
 
     void addWhole(const Panel& panel, const Sight& sight) {
         m_integrals.error += sight.error;
-        std::array<Vec3, order> outward;
-        for (std::size_t j = 0; j < order; ++j)
+        m_integrals.lastingError += quadratureError * std::max(sight.most, -sight.least) * sight.area;
+        std::array<Vec3, few> outward;
+        for (std::size_t j = 0; j < few; ++j)
             outward[j] = outwardAt(panel.angle.at((1 + m_gauss.nodes[j]) / 2));
         const double area = panel.t.length() * panel.angle.length() / 4;
-        for (std::size_t i = 0; i < order; ++i) {
+        for (std::size_t i = 0; i < few; ++i) {
             const Profile::Point p = m_profile->at(panel.t.at((1 + m_gauss.nodes[i]) / 2));
-            for (std::size_t j = 0; j < order; ++j) {
+            for (std::size_t j = 0; j < few; ++j) {
                 const Element e = element(p, outward[j]);
                 addElement(*sight.water, e.position,
                            area * m_gauss.weights[i] * m_gauss.weights[j] * e.density);
@@ -388,8 +392,8 @@ private:
         Vec3 m_outward;
     };
 
-    /// Along lines on which the depth changes all one way, by `leastSteepness` at least.
-    void addCut(const Panel& panel, const Sight& sight, bool areRound, double leastSteepness) {
+    /// Along lines on which the depth changes all one way.
+    void addCut(const Panel& panel, const Sight& sight, bool areRound, const Steepness& steepness) {
         const Range across = areRound ? panel.t : panel.angle, along = areRound ? panel.angle : panel.t;
         // Where the waterline leaves the panel at an end of the lines their wet part has a kink.
         Stops stops(across);
@@ -406,24 +410,39 @@ private:
             }
         }
         for (std::size_t i = 0; i + 1 < stops.count; ++i)
-            addLines(areRound, {stops.at[i], stops.at[i + 1]}, along, *sight.water);
+            addLines(areRound, {stops.at[i], stops.at[i + 1]}, along, steepness, across.length() / 2,
+                     *sight.water);
+        m_integrals.lastingError += quadratureError * (sight.most - sight.least) * sight.area;
         // Where the true surface is above an expansion's.
         m_integrals.error +=
-            sight.largestError * std::min(1.0, sight.largestError / leastSteepness) * sight.area;
+            sight.largestError * std::min(1.0, sight.largestError / steepness.least) * sight.area;
     }
 
+    /// Where some lines end at the waterline at a much smaller angle than others, their length goes like a
+    /// root, which takes more of them.
+    void addLines(bool areRound, const Range& across, const Range& along, const Steepness& steepness,
+                  double shortEnough, const WaterExpansion& water) {
+        constexpr std::size_t many = 8;
+        if (steepness.least > steepness.most / 2 || across.length() < shortEnough)
+            addLines<few>(areRound, across, along, water);
+        else
+            addLines<many>(areRound, across, along, water);
+    }
+
+    template <std::size_t count>
     void addLines(bool areRound, const Range& across, const Range& along, const WaterExpansion& water) {
         if (!(across.length() > 0)) return;
-        for (std::size_t i = 0; i < order; ++i) {
-            const Line line(*this, areRound, across.at((1 + m_gauss.nodes[i]) / 2));
+        const GaussLegendre<count>& rule = gaussRule<count>();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Line line(*this, areRound, across.at((1 + rule.nodes[i]) / 2));
             const auto depthAt = [&](double l) { return water.depthAt(line.at(l).position); };
             const double first = depthAt(along.begin), last = depthAt(along.end);
             if (first <= 0 && last <= 0) continue;
             Range wet = along;
             if (!(first > 0 && last > 0))
                 (first > 0 ? wet.end : wet.begin) = rootOf(depthAt, along, first, last);
-            const double weight = m_gauss.weights[i] / 4 * across.length() * wet.length();
-            for (std::size_t j = 0; j < order; ++j) {
+            const double weight = rule.weights[i] / 4 * across.length() * wet.length();
+            for (std::size_t j = 0; j < few; ++j) {
                 const Element e = line.at(wet.at((1 + m_gauss.nodes[j]) / 2));
                 const Vec3 areaVector = weight * m_gauss.weights[j] * e.density;
                 addElement(water, e.position, areaVector);
@@ -463,7 +482,7 @@ private:
     Vec3 m_first, m_second;
     const Profile* m_profile = nullptr;
     double m_allowedAtTouch;  // m^3
-    const GaussLegendre<order>& m_gauss = gaussRule();
+    const GaussLegendre<few>& m_gauss = gaussRule<few>();
 };
 
 }  // namespace
