@@ -193,9 +193,12 @@ double areaOf(const RoundBody& body) {
     return area;
 }
 
-/// Over a sixth of a turn four nodes are good for seven digits of a sine.
-constexpr std::size_t few = 4;
-constexpr double quadratureError = 1e-6;  // over the largest head, or over the range of it where it is cut
+/// Over a sixth of a turn four nodes are good for seven digits of a sine; but not of the secant, by which the
+/// waterline crosses a flat end.
+constexpr std::size_t few = 4, many = 8;
+
+/// Of the quadrature, over the largest head or, where a panel is cut, the range of heads.
+constexpr double errorOfMany = 1e-6, errorOfFew = 5e-5;
 
 template <std::size_t order>
 const GaussLegendre<order>& gaussRule() {
@@ -342,7 +345,7 @@ private:
 
     void addWhole(const Panel& panel, const Sight& sight) {
         m_integrals.error += sight.error;
-        m_integrals.lastingError += quadratureError * std::max(sight.most, -sight.least) * sight.area;
+        m_integrals.lastingError += errorOfMany * std::max(sight.most, -sight.least) * sight.area;
         std::array<Vec3, few> outward;
         for (std::size_t j = 0; j < few; ++j)
             outward[j] = outwardAt(panel.angle.at((1 + m_gauss.nodes[j]) / 2));
@@ -409,24 +412,21 @@ private:
                                     depth(i + 1)));
             }
         }
-        for (std::size_t i = 0; i + 1 < stops.count; ++i)
-            addLines(areRound, {stops.at[i], stops.at[i + 1]}, along, steepness, across.length() / 2,
-                     *sight.water);
-        m_integrals.lastingError += quadratureError * (sight.most - sight.least) * sight.area;
+        // Where some lines end at the waterline at a much smaller angle than others, their length goes like a
+        // root, which takes more of them.
+        const double range = sight.most - sight.least;
+        const bool areFew = errorOfFew * range < m_headError / 16 && steepness.least > steepness.most / 2;
+        m_integrals.lastingError += (areFew ? errorOfFew : errorOfMany) * range * sight.area;
+        for (std::size_t i = 0; i + 1 < stops.count; ++i) {
+            const Range between{stops.at[i], stops.at[i + 1]};
+            if (areFew || between.length() < across.length() / 3)
+                addLines<few>(areRound, between, along, *sight.water);
+            else
+                addLines<many>(areRound, between, along, *sight.water);
+        }
         // Where the true surface is above an expansion's.
         m_integrals.error +=
             sight.largestError * std::min(1.0, sight.largestError / steepness.least) * sight.area;
-    }
-
-    /// Where some lines end at the waterline at a much smaller angle than others, their length goes like a
-    /// root, which takes more of them.
-    void addLines(bool areRound, const Range& across, const Range& along, const Steepness& steepness,
-                  double shortEnough, const WaterExpansion& water) {
-        constexpr std::size_t many = 8;
-        if (steepness.least > steepness.most / 2 || across.length() < shortEnough)
-            addLines<few>(areRound, across, along, water);
-        else
-            addLines<many>(areRound, across, along, water);
     }
 
     template <std::size_t count>
