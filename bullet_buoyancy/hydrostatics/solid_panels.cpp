@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "bullet_buoyancy/core/quadrature.h"
 
@@ -101,9 +102,9 @@ struct Range {
     double at(double share) const { return begin + share * (end - begin); }
 };
 
-/// In rising order: the ends of a range, and up to four places between them.
+/// In rising order: the ends of a range, and up to six places between them.
 struct Stops {
-    std::array<double, 6> at{};
+    std::array<double, 8> at{};
     std::size_t count = 2;
 
     explicit Stops(const Range& range) : at{range.begin, range.end} {}
@@ -133,6 +134,13 @@ struct Slopes {
 
 Slopes slopesOf(double first, double middle, double last) {
     return {-3 * first + 4 * middle - last, first - 4 * middle + 3 * last};
+}
+
+/// Where such a parabola turns, as a share of the line; the middle if it does not turn on it.
+double vertexOf(const std::array<double, 3>& f) {
+    const double slope = -3 * f[0] + 4 * f[1] - f[2], bend = 4 * (f[0] - 2 * f[1] + f[2]);
+    const bool turns = slope * bend < 0 && std::abs(slope) < std::abs(bend);
+    return turns ? -slope / bend : 0.5;
 }
 
 using Grid = std::array<std::array<double, 3>, 3>;  // at the corners, the middles of sides and the middle
@@ -395,23 +403,38 @@ private:
         Vec3 m_outward;
     };
 
+    struct DepthOnEdge {
+        double place, depth;
+    };
+
+    /// Where the waterline leaves the panel at an end of the lines: there their wet part has a kink.
+    Stops kinks(const Panel& panel, const Sight& sight, bool areRound) const {
+        const Range across = areRound ? panel.t : panel.angle, along = areRound ? panel.angle : panel.t;
+        const Grid depth = areRound ? transposed(sight.depth) : sight.depth;
+        Stops stops(across);
+        for (const auto& [place, atEnds] :
+             {std::pair(along.begin, depth[0]), std::pair(along.end, depth[2])}) {
+            const Line edge(*this, !areRound, place);
+            const auto depthAt = [&](double s) { return sight.water->depthAt(edge.at(s).position); };
+            const double turn = across.at(vertexOf(atEnds)), middle = across.at(0.5),
+                         depthAtTurn = depthAt(turn);
+            const std::array<DepthOnEdge, 4> on{
+                DepthOnEdge{across.begin, atEnds[0]},
+                turn < middle ? DepthOnEdge{turn, depthAtTurn} : DepthOnEdge{middle, atEnds[1]},
+                turn < middle ? DepthOnEdge{middle, atEnds[1]} : DepthOnEdge{turn, depthAtTurn},
+                DepthOnEdge{across.end, atEnds[2]}};
+            for (std::size_t i = 0; i + 1 < on.size(); ++i)
+                if ((on[i].depth > 0) != (on[i + 1].depth > 0))
+                    stops.insert(
+                        rootOf(depthAt, {on[i].place, on[i + 1].place}, on[i].depth, on[i + 1].depth));
+        }
+        return stops;
+    }
+
     /// Along lines on which the depth changes all one way.
     void addCut(const Panel& panel, const Sight& sight, bool areRound, const Steepness& steepness) {
         const Range across = areRound ? panel.t : panel.angle, along = areRound ? panel.angle : panel.t;
-        // Where the waterline leaves the panel at an end of the lines their wet part has a kink.
-        Stops stops(across);
-        for (std::size_t last : {std::size_t(0), std::size_t(2)}) {
-            const auto depth = [&](std::size_t i) {
-                return areRound ? sight.depth[i][last] : sight.depth[last][i];
-            };
-            for (std::size_t i : {std::size_t(0), std::size_t(1)}) {
-                if ((depth(i) > 0) == (depth(i + 1) > 0)) continue;
-                const Line edge(*this, !areRound, last == 0 ? along.begin : along.end);
-                stops.insert(rootOf([&](double s) { return sight.water->depthAt(edge.at(s).position); },
-                                    {across.at(double(i) / 2), across.at(double(i + 1) / 2)}, depth(i),
-                                    depth(i + 1)));
-            }
-        }
+        const Stops stops = kinks(panel, sight, areRound);
         // Where some lines end at the waterline at a much smaller angle than others, their length goes like a
         // root, which takes more of them.
         const double range = sight.most - sight.least;
