@@ -122,7 +122,7 @@ private:
 
     void addSolids(const WaterPatch& patch, double headError, WetIntegrals& integrals) const {
         for (const Sphere& sphere : m_hull.spheres)
-            addSphereInWaves(sphere, patch, m_query, integrals);
+            addSphereInWaves(sphere, patch, headError, m_query, integrals);
         for (const SolidOfRevolution& solid : m_hull.solids)
             addSolidInWaves(solid, patch, headError, m_query, integrals);
     }

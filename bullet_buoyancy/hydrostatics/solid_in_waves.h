@@ -5,15 +5,14 @@
 
 namespace bullet_buoyancy {
 
-/// Adds what waves do to a solid: in closed form for the surface's tangent plane at the solid, and what the
-/// surface strays from that by quadrature, where it is more than a small part of `headError` (m). The bound
-/// of what remains goes to `integrals.error`; most of it is at the waterline, and grows with the square of
-/// the solid's size over the waves' length.
+/// Adds what waves do to a solid: in closed form with the water to second order about its middle, where that
+/// is enough for errors of the head of about `headError` (m), else by panels. The bound of what remains goes
+/// to `integrals.error` and `integrals.lastingError`.
 void addSolidInWaves(const SolidOfRevolution& solid, const WaterPatch& water, double headError,
                      const HydrostaticQuery& query, WetIntegrals& integrals);
 
-/// The same, all in closed form, with the water to second order about the sphere's centre.
-void addSphereInWaves(const Sphere& sphere, const WaterPatch& water, const HydrostaticQuery& query,
-                      WetIntegrals& integrals);
+/// The same for a sphere.
+void addSphereInWaves(const Sphere& sphere, const WaterPatch& water, double headError,
+                      const HydrostaticQuery& query, WetIntegrals& integrals);
 
 }  // namespace bullet_buoyancy
