@@ -21,21 +21,6 @@ struct Case {
     double volumeError;              // over the hull's volume
 };
 
-/// At the height of the surface, more or less, within 100 m.
-Pose poseAcross(const WaterField& water, const Hull& hull, double time, Random& random) {
-    Eigen::ArrayX2d point(1, 2);
-    point << random.uniform(-100, 100), random.uniform(-100, 100);
-    Eigen::ArrayX3d surface(1, 3);
-    water.sampleSurface(point, time, surface);
-    const double height = surface(0, 0) + random.uniform(-1, 1) * hull.bounds.radius;
-    Pose pose;
-    pose.orientation = random.orientation();
-    pose.position = water.frame().originWorld() +
-                    water.frame().worldFromFrame() * Vec3(point(0, 0), point(0, 1), height) -
-                    pose.orientation * hull.bounds.centre;
-    return pose;
-}
-
 Case anyCase(const NamedHull& named, const RandomSea& sea, PressureModel pressure, Random& random) {
     const Hull& hull = *named.hull;
     HydrostaticQuery query;
