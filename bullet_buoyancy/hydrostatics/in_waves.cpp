@@ -80,15 +80,17 @@ private:
         note(one, integrals);
         constexpr double worthATry = 2;
         if (meanError(one) <= worthATry * allowedHeadError() && addWith(one, integrals) <= 1) return;
-        double reach = one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest);
-        constexpr int mostAttempts = 4;
+        double reach =
+            std::min(0.8 * one.reach(),
+                     one.near(m_hull.bounds.centre).error.reach(allowedHeadError() / meanErrorOverLargest));
+        constexpr int mostAttempts = 6;
         for (int attempt = 1;; ++attempt) {
-            const WaterPatch patch(m_water, box(), std::min(reach, 0.8 * one.reach()));
+            const WaterPatch patch(m_water, box(), reach);
             note(patch, integrals);
             const bool isLast = attempt == mostAttempts || patch.cellCount() > WaterPatch::mostCells / 2;
             const double excess = addWith(patch, integrals, isLast);
             if (excess <= 1 || isLast) return;
-            reach = patch.reach() / (1.2 * std::cbrt(excess));
+            reach = std::min(reach, patch.reach()) / (1.2 * std::cbrt(excess));
         }
     }
 

@@ -171,7 +171,7 @@ private:
         const double leftOut = isBent ? 0 : std::min(bubble.mean(), share * bend);
         const Vec3 area = areaVectorOf(p).cwiseAbs();
         m_integrals.error += (std::min(ofCorners, share * largestError) + leftOut) * area;
-        m_integrals.lastingError += atWaterline * area;
+        (bend > largestError ? m_integrals.lastingError : m_integrals.error) += atWaterline * area;
     }
 
     void addBent(const Corners& p, const WaterExpansion& water, const Bubble& bubble) {
