@@ -41,10 +41,12 @@ struct HydrostaticResult {
     double submergedVolume = 0;                   ///< displacement, m^3
     Vec3 centreOfBuoyancyFromCom = Vec3::Zero();  ///< world axes, m; zero where nothing is displaced
     double potentialEnergy = 0;  ///< rho g times the integral of depth over the displacement, J
-    double forceErrorBound = 0;  ///< the force is no farther than this from that of the true surface, N
-    int waterSamples = 0;        ///< points at which the water was asked for its surface or head
-    double wettedArea = 0;       ///< m^2, if asked for
-    Waterplane waterplane;       ///< if asked for
+    /// The force is no farther than this from that of the true surface, N: proved for meshes, for round
+    /// solids with constants of their quadrature that were tried in some ten thousand cases.
+    double forceErrorBound = 0;
+    int waterSamples = 0;   ///< points at which the water was asked for its surface or head
+    double wettedArea = 0;  ///< m^2, if asked for
+    Waterplane waterplane;  ///< if asked for
 
     /// If asked for: the change of (force, torque) is -stiffness times (displacement in m, rotation about the
     /// centre of mass in rad), world axes; see `hydrostaticStiffness`.

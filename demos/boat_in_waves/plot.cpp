@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boat_in_waves/profile.h"
+#include "scenes/gnuplot.h"
 
 #ifdef _WIN32
 #define popen _popen
@@ -206,28 +207,12 @@ unset multiplot
 )gnuplot";
 }
 
-/// For gnuplot's single quotes.
-std::string quoted(const std::string& text) {
-    std::string result;
-    for (char c : text)
-        result += c == '\'' ? "''" : std::string(1, c);
-    return result;
-}
-
-bool gnuplotIsInstalled() {
-#ifdef _WIN32
-    return std::system("gnuplot --version > NUL 2>&1") == 0;
-#else
-    return std::system("gnuplot --version > /dev/null 2>&1") == 0;
-#endif
-}
-
 std::string scriptOf(const Picture& picture, const std::string& file) {
     const bool svg = file.back() == 'g' && file[file.size() - 2] == 'v';
     std::ostringstream script;
     script << "set terminal " << (svg ? "svg" : "pngcairo") << " size 900," << pictureHeight
            << " background rgb 'white' font 'Sans,12'\n"
-           << "set output '" << quoted(file) << "'\n";
+           << "set output '" << scenes::quotedForGnuplot(file) << "'\n";
     const double crest = picture.voyage.samples[highestCrest(picture)].time;
     const double half = drawnPeriods / 2 * picture.sea.def().period;
     const double from = std::max(picture.voyage.samples.front().time, crest - half);
@@ -244,7 +229,7 @@ std::string scriptOf(const Picture& picture, const std::string& file) {
 }  // namespace
 
 bool plot(const Picture& picture, const std::string& file) {
-    if (!gnuplotIsInstalled()) {
+    if (!scenes::gnuplotIsInstalled()) {
         std::fprintf(stderr,
                      "boat_in_waves: no plot, since gnuplot is not installed (Debian: gnuplot-nox)\n");
         return false;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "bullet_buoyancy/core/constants.h"
+#include "scenes/gnuplot.h"
 #include "scenes/known_answers.h"
 
 #ifdef _WIN32
@@ -119,26 +120,10 @@ plot $cube using 1:2 with lines lw 2 lc rgb '#2a7ab5' title 'height', \
 unset multiplot
 )gnuplot";
 
-/// For gnuplot's single quotes.
-std::string quoted(const std::string& text) {
-    std::string result;
-    for (char c : text)
-        result += c == '\'' ? "''" : std::string(1, c);
-    return result;
-}
-
-bool gnuplotIsInstalled() {
-#ifdef _WIN32
-    return std::system("gnuplot --version > NUL 2>&1") == 0;
-#else
-    return std::system("gnuplot --version > /dev/null 2>&1") == 0;
-#endif
-}
-
 }  // namespace
 
 bool plot(const CubeResult& cube, const std::vector<LogResult>& logs, const std::string& file) {
-    if (!gnuplotIsInstalled()) {
+    if (!scenes::gnuplotIsInstalled()) {
         std::fprintf(stderr,
                      "floating_cube: no plot, since gnuplot is not installed (Debian: gnuplot-nox)\n");
         return false;
@@ -147,7 +132,7 @@ bool plot(const CubeResult& cube, const std::vector<LogResult>& logs, const std:
     std::ostringstream script;
     script << "set terminal " << (svg ? "svg" : "pngcairo")
            << " size 900,960 background rgb 'white' font 'Sans,13'\n"
-           << "set output '" << quoted(file) << "'\n";
+           << "set output '" << scenes::quotedForGnuplot(file) << "'\n";
     writeData(script, cube, logs);
     script << commands;
 

@@ -97,19 +97,27 @@ RandomSea randomSea(std::size_t kind, Random& random) {
     const WaterFrame frame = anyFrame(random);
     const auto airyWaves = [&](const AiryWavesDef& def) { return std::make_shared<AiryWaves>(frame, def); };
     switch (kind % 9) {
-        case 0: return {"one Airy wave", airyWaves(airy(1, random))};
-        case 1: return {"four Airy waves", airyWaves(airy(4, random))};
-        case 2: return {"16 Airy waves", airyWaves(airy(16, random))};
-        case 3: return {"JONSWAP", airyWaves(jonswap(random))};
+        case 0:
+            return {"one Airy wave", airyWaves(airy(1, random))};
+        case 1:
+            return {"four Airy waves", airyWaves(airy(4, random))};
+        case 2:
+            return {"16 Airy waves", airyWaves(airy(16, random))};
+        case 3:
+            return {"JONSWAP", airyWaves(jonswap(random))};
         case 4: {
             GerstnerWavesDef def;
             def.components = randomWaves(1 + int(random.index(8)), anySteepness(random), random);
             return {"Gerstner", std::make_shared<GerstnerWaves>(frame, def)};
         }
-        case 5: return {"shallow water", airyWaves(airy(4, random, random.uniform(5, 20)))};
-        case 6: return {"swell, wind sea and current", swellAndWindSea(frame, random)};
-        case 7: return {"grid", grid(frame, random)};
-        default: return {"function", function(frame, random)};
+        case 5:
+            return {"shallow water", airyWaves(airy(4, random, random.uniform(5, 20)))};
+        case 6:
+            return {"swell, wind sea and current", swellAndWindSea(frame, random)};
+        case 7:
+            return {"grid", grid(frame, random)};
+        default:
+            return {"function", function(frame, random)};
     }
 }
 
