@@ -151,6 +151,7 @@ HullResult makeHull(std::vector<HullPart> parts) {
     noteOverlapsOfParts(parts, status);
     hull->meshIsClosed = status.openEdges == 0;
     bound(*hull);
+    hull->packed = packMesh(hull->mesh, hull->bounds.centre);
     return {hull, status};
 }
 

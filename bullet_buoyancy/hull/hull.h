@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bullet_buoyancy/hull/hull_status.h"
+#include "bullet_buoyancy/hull/packed_mesh.h"
 #include "bullet_buoyancy/hull/solid_of_revolution.h"
 #include "bullet_buoyancy/hull/sphere.h"
 #include "bullet_buoyancy/hull/surface_moments.h"
@@ -15,6 +16,7 @@ namespace bullet_buoyancy {
 /// `makeHull`, never changed, shared by as many bodies as have the shape.
 struct Hull {
     TriangleMesh mesh;  ///< all triangles: welded, outward
+    PackedMesh packed;  ///< the same for kernels, about the centre of `bounds`
     std::vector<Sphere> spheres;
     std::vector<SolidOfRevolution> solids;
 

@@ -10,6 +10,13 @@
 
 namespace bullet_buoyancy {
 
+/// How triangles are summed up by those evaluators that know both.
+enum class Precision {
+    single,  ///< the force is right to 2e-6 of the weight of water that a compact hull displaces, see the
+             ///< bound
+    full,    ///< to 1e-12
+};
+
 /// What to evaluate. The extras cost only where asked for.
 struct HydrostaticQuery {
     double gravity = standardGravity;  ///< along the water frame's down, m/s^2
@@ -20,6 +27,8 @@ struct HydrostaticQuery {
     /// the surface is sampled at every vertex of the mesh, and taken for linear in between. Flat water is
     /// exact.
     double tolerance = 1e-3;
+
+    Precision precision = Precision::full;
 
     bool wettedArea = false;
     bool waterplane = false;

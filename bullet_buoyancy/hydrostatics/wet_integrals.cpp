@@ -18,9 +18,11 @@ HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, cons
     result.forceErrorBound = weightDensity * (integrals.error + integrals.lastingError).norm();
     result.waterSamples = integrals.samples;
     result.wettedArea = integrals.wettedArea;
-    result.waterplane.area = integrals.waterplane.area;
-    result.waterplane.firstMoment = rotation * integrals.waterplane.firstMoment;
-    result.waterplane.secondMoment = rotation * integrals.waterplane.secondMoment * rotation.transpose();
+    if (query.waterplane) {
+        result.waterplane.area = integrals.waterplane.area;
+        result.waterplane.firstMoment = rotation * integrals.waterplane.firstMoment;
+        result.waterplane.secondMoment = rotation * integrals.waterplane.secondMoment * rotation.transpose();
+    }
     if (query.stiffness)
         result.stiffness = hydrostaticStiffness(result, rotation * pushesInBody, weightDensity);
     return result;

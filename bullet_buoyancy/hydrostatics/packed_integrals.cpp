@@ -1,0 +1,169 @@
+#include "bullet_buoyancy/hydrostatics/packed_integrals.h"
+
+#include <array>
+
+#include "bullet_buoyancy/hydrostatics/clip_kernels.h"
+
+namespace bullet_buoyancy {
+
+namespace {
+
+/// Always in the same order, whatever the lanes of the machine.
+template <typename Real>
+double sumOf(const PackRow<Real>& row) {
+    Real eight[8], four[4];
+    for (int i = 0; i < 8; ++i)
+        eight[i] = row.lane[i] + row.lane[i + 8];
+    for (int i = 0; i < 4; ++i)
+        four[i] = eight[i] + eight[i + 4];
+    return (double(four[0]) + double(four[2])) + (double(four[1]) + double(four[3]));
+}
+
+template <typename Real>
+Vec3 sumOf(const PackRow<Real> (&rows)[3]) {
+    return {sumOf(rows[0]), sumOf(rows[1]), sumOf(rows[2])};
+}
+
+template <typename Real>
+class PackedMeshInWater {
+public:
+    PackedMeshInWater(const PackedTriangles<Real>& mesh, const PackPlane& plane, WetRowsAsked asked)
+        : m_mesh(mesh),
+          m_plane(plane),
+          m_clip(clipKernels<Real>().clip[int(asked)]),
+          m_open(clipKernels<Real>().open[int(asked)]) {
+        if (asked == WetRowsAsked::all)
+            m_rows = {};
+        else
+            m_rows.pressure = {};
+    }
+
+    void addEveryTriangle() {
+        m_clip(m_mesh.packs.data(), nullptr, int(m_mesh.packs.size()), m_plane, m_rows);
+    }
+
+    /// From the highest clusters down, those first that were found last.
+    void addAtTheSurface() {
+        if (m_mesh.levels.empty()) return addEveryTriangle();
+        const int top = int(m_mesh.levels.size()) - 1;
+        const auto count = std::uint32_t(m_mesh.levels.back().size());
+        for (std::uint32_t first = 0; first < count; ++first) {
+            push(top, first);
+            while (m_stacked > 0)
+                openNext();
+        }
+        clipListed();
+    }
+
+    const WetRows<Real>& rows() const { return m_rows; }
+
+private:
+    struct Place {
+        int level;
+        std::uint32_t cluster;
+    };
+    static constexpr int mostLevels = 8;  // 2^32 packs
+    static constexpr int mostListed = 256;
+
+    void push(int level, std::uint32_t cluster) { m_stack[std::size_t(m_stacked++)] = {level, cluster}; }
+
+    void openNext() {
+        const Place at = m_stack[std::size_t(--m_stacked)];
+        std::array<std::uint8_t, packSize + 1> cut;
+        const Cluster<Real>& cluster = m_mesh.levels[std::size_t(at.level)][at.cluster];
+        const int count = m_open(cluster, m_plane, m_rows, cut.data());
+        if (m_listed + count > mostListed) clipListed();
+        for (int i = 0; i < count; ++i) {
+            const std::uint32_t child = at.cluster * packSize + cut[std::size_t(i)];
+            if (at.level == 0)
+                m_list[std::size_t(m_listed++)] = child;
+            else
+                push(at.level - 1, child);
+        }
+    }
+
+    void clipListed() {
+        m_clip(m_mesh.packs.data(), m_list.data(), m_listed, m_plane, m_rows);
+        m_listed = 0;
+    }
+
+    const PackedTriangles<Real>& m_mesh;
+    const PackPlane& m_plane;
+    typename ClipKernels<Real>::Clip m_clip;
+    typename ClipKernels<Real>::Open m_open;
+    WetRows<Real> m_rows;
+    std::array<Place, mostLevels * packSize> m_stack;
+    std::array<std::uint32_t, mostListed> m_list;
+    int m_stacked = 0, m_listed = 0;
+};
+
+/// From the mesh's origin to the body's.
+Vec3 movedFirst(double zeroth, const Vec3& first, const Vec3& offset) {
+    return first + zeroth * offset;
+}
+
+/// By the divergence theorem with d up, which vanishes at the surface. What depth is integrated over the
+/// volume follows: up . x = depth of the origin - d.
+template <typename Real>
+void addDisplacement(const PressureRows<Real>& rows, const WaterPlane& plane, double depthOfOrigin,
+                     const Vec3& origin, WetIntegrals& integrals) {
+    const Vec3& up = plane.upInBody;
+    const double volume = -sumOf(rows.depth);
+    const Vec3 depthMoment = -sumOf(rows.depthMoment);
+    const double headVolume = (depthOfOrigin * volume - up.dot(depthMoment)) / 2;
+    integrals.addDisplacement(up, volume, movedFirst(volume, depthMoment + headVolume * up, origin),
+                              headVolume);
+}
+
+/// A point x throws its shadow on x + d up.
+template <typename Real>
+void addShadow(const ShadowRows<Real>& rows, const WaterPlane& plane, double depthOfOrigin,
+               const Vec3& origin, Waterplane& waterplane) {
+    const Vec3& up = plane.upInBody;
+    const Mat3 flat = Mat3::Identity() - up * up.transpose();
+    const double area = -sumOf(rows.shadow);
+    const Vec3 first = -flat * sumOf(rows.shadowMoment);
+    const double xx = -sumOf(rows.shadowMoments2[0]), xy = -sumOf(rows.shadowMoments2[1]),
+                 xz = -sumOf(rows.shadowMoments2[2]), yy = -sumOf(rows.shadowMoments2[3]),
+                 yz = -sumOf(rows.shadowMoments2[4]), zz = -sumOf(rows.shadowMoments2[5]);
+    Mat3 second;
+    second << xx, xy, xz,  //
+        xy, yy, yz,        //
+        xz, yz, zz;
+    const Vec3 offset = origin + depthOfOrigin * up;
+    waterplane.area += area;
+    waterplane.firstMoment += movedFirst(area, first, offset);
+    waterplane.secondMoment += flat * second * flat + first * offset.transpose() +
+                               offset * first.transpose() + area * offset * offset.transpose();
+}
+
+template <typename Real>
+void add(const PackedMesh& mesh, const WaterPlane& plane, MeshSum sum, const HydrostaticQuery& query,
+         WetIntegrals& integrals) {
+    const Vec3& up = plane.upInBody;
+    const PackPlane packPlane{{up.x(), up.y(), up.z()}, plane.depth(mesh.origin)};
+    const bool wantsAll = query.waterplane || query.wettedArea;
+    PackedMeshInWater<Real> inWater(mesh.in<Real>(), packPlane,
+                                    wantsAll ? WetRowsAsked::all : WetRowsAsked::pressure);
+    if (sum == MeshSum::inPacks)
+        inWater.addEveryTriangle();
+    else
+        inWater.addAtTheSurface();  // of a mesh of a few packs every triangle
+    const WetRows<Real>& rows = inWater.rows();
+    addDisplacement(rows.pressure, plane, packPlane.depthOfOrigin, mesh.origin, integrals);
+    if (query.waterplane)
+        addShadow(rows.shadow, plane, packPlane.depthOfOrigin, mesh.origin, integrals.waterplane);
+    if (query.wettedArea) integrals.wettedArea += sumOf(rows.shadow.area);
+}
+
+}  // namespace
+
+void addPackedMesh(const PackedMesh& mesh, const WaterPlane& plane, MeshSum sum,
+                   const HydrostaticQuery& query, WetIntegrals& integrals) {
+    if (query.precision == Precision::single)
+        add<float>(mesh, plane, sum, query, integrals);
+    else
+        add<double>(mesh, plane, sum, query, integrals);
+}
+
+}  // namespace bullet_buoyancy
