@@ -1,10 +1,10 @@
 #include "boat_in_waves/options.h"
 
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <map>
 
 #include "boat_in_waves/read_mesh.h"
+#include "scenes/command_line.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -98,14 +98,7 @@ void addRun(CLI::App& app, Options& options) {
     app.add_option("--csv", options.csv, "write the time series to this file");
     app.add_option("--spectra", options.spectra, "write the spectra to this file");
     app.add_option("--plot", options.plot, "draw motions and spectra into this .png or .svg file")
-        ->check([](const std::string& name) {
-            const auto endsWith = [&](const std::string& end) {
-                return name.size() > end.size() &&
-                       name.compare(name.size() - end.size(), end.size(), end) == 0;
-            };
-            return std::string(endsWith(".png") || endsWith(".svg") ? ""
-                                                                    : "the name must end in .png or .svg");
-        });
+        ->check(scenes::isPicture);
 }
 
 void complete(Options& options, const Choices& choices) {
@@ -134,12 +127,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
     addSea(app, options, choices);
     addBoat(app, options);
     addRun(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        exitStatus = app.exit(error);
-        return std::nullopt;
-    }
+    if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     complete(options, choices);
     return options;
 }

@@ -2,18 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <sstream>
 #include <vector>
 
 #include "boat_in_waves/profile.h"
 #include "scenes/gnuplot.h"
-
-#ifdef _WIN32
-#define popen _popen
-#define pclose _pclose
-#endif
 
 namespace bullet_buoyancy::demo {
 
@@ -208,11 +201,8 @@ unset multiplot
 }
 
 std::string scriptOf(const Picture& picture, const std::string& file) {
-    const bool svg = file.back() == 'g' && file[file.size() - 2] == 'v';
     std::ostringstream script;
-    script << "set terminal " << (svg ? "svg" : "pngcairo") << " size 900," << pictureHeight
-           << " background rgb 'white' font 'Sans,12'\n"
-           << "set output '" << scenes::quotedForGnuplot(file) << "'\n";
+    script << scenes::gnuplotOutput(file, 900, pictureHeight, 12);
     const double crest = picture.voyage.samples[highestCrest(picture)].time;
     const double half = drawnPeriods / 2 * picture.sea.def().period;
     const double from = std::max(picture.voyage.samples.front().time, crest - half);
@@ -229,17 +219,7 @@ std::string scriptOf(const Picture& picture, const std::string& file) {
 }  // namespace
 
 bool plot(const Picture& picture, const std::string& file) {
-    if (!scenes::gnuplotIsInstalled()) {
-        std::fprintf(stderr,
-                     "boat_in_waves: no plot, since gnuplot is not installed (Debian: gnuplot-nox)\n");
-        return false;
-    }
-    std::FILE* gnuplot = popen("gnuplot -", "w");
-    if (!gnuplot) return false;
-    std::fputs(scriptOf(picture, file).c_str(), gnuplot);
-    if (pclose(gnuplot) == 0) return true;
-    std::fprintf(stderr, "boat_in_waves: gnuplot could not draw %s\n", file.c_str());
-    return false;
+    return scenes::runGnuplot(scriptOf(picture, file), "boat_in_waves", file);
 }
 
 }  // namespace bullet_buoyancy::demo

@@ -1,6 +1,6 @@
 #include "floating_cube/options.h"
 
-#include <CLI/CLI.hpp>
+#include "scenes/command_line.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -34,20 +34,8 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
     app.add_option("--csv", options.csv, "write the tables to this file");
     app.add_option("--plot", options.plot,
                    "draw the cube's fall and the log's tilts into this .png or .svg file")
-        ->check([](const std::string& name) {
-            const auto endsWith = [&](const std::string& end) {
-                return name.size() > end.size() &&
-                       name.compare(name.size() - end.size(), end.size(), end) == 0;
-            };
-            return std::string(endsWith(".png") || endsWith(".svg") ? ""
-                                                                    : "the name must end in .png or .svg");
-        });
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        exitStatus = app.exit(error);
-        return std::nullopt;
-    }
+        ->check(scenes::isPicture);
+    if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }
 

@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <sstream>
 
 #include "bullet_buoyancy/core/constants.h"
 #include "scenes/gnuplot.h"
 #include "scenes/known_answers.h"
-
-#ifdef _WIN32
-#define popen _popen
-#define pclose _pclose
-#endif
 
 namespace bullet_buoyancy::demo {
 
@@ -123,25 +116,11 @@ unset multiplot
 }  // namespace
 
 bool plot(const CubeResult& cube, const std::vector<LogResult>& logs, const std::string& file) {
-    if (!scenes::gnuplotIsInstalled()) {
-        std::fprintf(stderr,
-                     "floating_cube: no plot, since gnuplot is not installed (Debian: gnuplot-nox)\n");
-        return false;
-    }
-    const bool svg = file.back() == 'g' && file[file.size() - 2] == 'v';
     std::ostringstream script;
-    script << "set terminal " << (svg ? "svg" : "pngcairo")
-           << " size 900,960 background rgb 'white' font 'Sans,13'\n"
-           << "set output '" << scenes::quotedForGnuplot(file) << "'\n";
+    script << gnuplotOutput(file, 900, 960, 13);
     writeData(script, cube, logs);
     script << commands;
-
-    std::FILE* gnuplot = popen("gnuplot -", "w");
-    if (!gnuplot) return false;
-    std::fputs(script.str().c_str(), gnuplot);
-    if (pclose(gnuplot) == 0) return true;
-    std::fprintf(stderr, "floating_cube: gnuplot could not draw %s\n", file.c_str());
-    return false;
+    return runGnuplot(script.str(), "floating_cube", file);
 }
 
 }  // namespace bullet_buoyancy::demo

@@ -1,6 +1,6 @@
 #include "hard_cases/options.h"
 
-#include <CLI/CLI.hpp>
+#include "scenes/command_line.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -19,12 +19,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
     app.add_flag("--quick", options.quick, "a thinned selection, for under a minute");
     app.add_flag("--verbose", options.verbose,
                  "print each case of a group, not only the worst of each quantity");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        exitStatus = app.exit(error);
-        return std::nullopt;
-    }
+    if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }
 

@@ -1,9 +1,9 @@
 #include "rotation_schemes/measure.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
+
+#include "scenes/statistics.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -57,7 +57,7 @@ SchemeError measureError(const Scheme& scheme, const SpinCase& spin, double dt, 
 
 double measureTime(const Scheme& scheme, const SpinCase& spin, double dt, int stepsInABlock) {
     const Vec3 principal = spin.principal();
-    std::array<double, 9> blocks;
+    std::vector<double> blocks(9);
     volatile double keep = 0;  // what is not used need not be computed
     for (double& block : blocks) {
         Tumbler body = spin.start();
@@ -68,8 +68,7 @@ double measureTime(const Scheme& scheme, const SpinCase& spin, double dt, int st
         keep = keep + body.orientation.w();
         block = time.count() / stepsInABlock;
     }
-    std::nth_element(blocks.begin(), blocks.begin() + blocks.size() / 2, blocks.end());
-    return blocks[blocks.size() / 2];
+    return scenes::median(blocks);
 }
 
 }  // namespace bullet_buoyancy::demo

@@ -1,6 +1,6 @@
 #include "rotation_schemes/options.h"
 
-#include <CLI/CLI.hpp>
+#include "scenes/command_line.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -18,12 +18,7 @@ std::optional<RotationOptions> parseRotationOptions(int argc, char** argv, int& 
     app.add_option("--block", options.stepsInABlock, "steps in each of the nine blocks that are timed")
         ->check(CLI::Range(1, 100000000));
     app.add_option("--csv", options.csv, "write the table to this file");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        exitStatus = app.exit(error);
-        return std::nullopt;
-    }
+    if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }
 

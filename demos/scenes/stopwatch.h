@@ -2,11 +2,11 @@
 
 #include <BulletDynamics/Dynamics/btActionInterface.h>
 
-#include <algorithm>
 #include <ctime>
 #include <vector>
 
 #include "bullet_buoyancy/bullet/precision.h"
+#include "scenes/statistics.h"
 
 namespace bullet_buoyancy::scenes {
 
@@ -32,11 +32,8 @@ public:
     void reset() { m_times.clear(); }
 
     /// ns a substep, of at least one; the first tenth warms up.
-    double median() {
-        const auto begin = m_times.begin() + std::ptrdiff_t(m_times.size() / 10);
-        const auto middle = begin + (m_times.end() - begin) / 2;
-        std::nth_element(begin, middle, m_times.end());
-        return *middle;
+    double median() const {
+        return scenes::median({m_times.begin() + std::ptrdiff_t(m_times.size() / 10), m_times.end()});
     }
 
 private:

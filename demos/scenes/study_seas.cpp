@@ -40,6 +40,18 @@ NamedSea gerstnerSea(const std::string& name, const StudySeaDef& def) {
     return {name, water, water->steepness()};
 }
 
+std::vector<NamedSea> threeSeas() {
+    StudySeaDef smooth;
+    smooth.components = 16;
+    smooth.spreading = 10;
+    smooth.highestFrequency = 2;
+    StudySeaDef irregular;
+    irregular.spreading = 10;
+    return {gerstnerSea("16 Gerstner waves from 14 m on", smooth),
+            airySea("16 Airy waves from 14 m on", smooth),
+            airySea("JONSWAP of 64 waves from 3.5 m on", irregular)};
+}
+
 double deepWaveLength(double period) {
     return 2 * pi / wavenumberOfFrequency(2 * pi / period);
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bullet_buoyancy/water/water_field.h"
 
@@ -27,6 +28,10 @@ struct NamedSea {
 /// frame is z up.
 NamedSea airySea(const std::string& name, const StudySeaDef& def);
 NamedSea gerstnerSea(const std::string& name, const StudySeaDef& def);
+
+/// Trochoids and linear waves of a sea of 1 m and 6 s without the short ones, which as Gerstner waves would
+/// loop; and a sea with all the short waves of its spectrum.
+std::vector<NamedSea> threeSeas();
 
 /// Of deep-water waves of a period (s), m.
 double deepWaveLength(double period);

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 
+#include "scenes/crowd_pose.h"
 #include "scenes/float_scene.h"
 #include "scenes/stopwatch.h"
 
@@ -31,17 +31,15 @@ struct Cost {
     double evaluations;  // of the water's pressure, a body and step, mean
 };
 
-/// Apart from each other, each at another height and heel, so that nothing can be learnt by heart.
+/// Apart from each other.
 std::vector<btRigidBody*> addCrowd(FloatScene& scene, const Case& crowd, int count) {
     std::vector<btRigidBody*> bodies;
     const double distance = 3 * crowd.size.norm();
     BodyDef def;
     def.scheme = crowd.step;
     for (int i = 0; i < count; ++i) {
-        Pose pose;
-        pose.position = {distance * (i % 32), distance * (i / 32),
-                         crowd.size.z() * (0.5 - crowd.ratio + 0.2 * std::sin(i))};
-        pose.orientation = Eigen::AngleAxisd(0.2 * std::sin(3 * i), Vec3(std::cos(i), std::sin(i), 0));
+        Pose pose = crowdPose(i, distance, 0.2 * crowd.size.z());
+        pose.position.z() += crowd.size.z() * (0.5 - crowd.ratio);
         bodies.push_back(&scene.addFloatingBox(crowd.size, crowd.ratio, pose, def));
     }
     return bodies;

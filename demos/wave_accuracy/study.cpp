@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <limits>
 
 #include "bullet_buoyancy/hull/tessellate.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
 #include "bullet_buoyancy/water/flat_water.h"
-#include "scenes/random_numbers.h"
+#include "scenes/statistics.h"
+#include "scenes/study_hulls.h"
 #include "scenes/wigley_hull.h"
 
 namespace bullet_buoyancy::demo {
+
+using namespace scenes;
 
 namespace {
 
@@ -20,36 +23,8 @@ const FlatWater& flatWater() {
     return water;
 }
 
-TriangleMesh boxMesh(const Vec3& size) {
-    TriangleMesh mesh;
-    for (double x : {-0.5, 0.5})
-        for (double y : {-0.5, 0.5})
-            for (double z : {-0.5, 0.5})
-                mesh.vertices.push_back(size.cwiseProduct(Vec3(x, y, z)));
-    mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
-                      {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
-    return mesh;
-}
-
 StudyHull hullOf(const std::string& name, HullPart part, double length) {
     return {name, makeHull(std::vector<HullPart>{std::move(part)}).hull, length};
-}
-
-double elevationAt(const WaterField& water, const Vec2& place, double time) {
-    const Eigen::ArrayX2d point = place.transpose().array();
-    Eigen::ArrayX3d surface(1, 3);
-    water.sampleSurface(point, time, surface);
-    return surface(0, 0);
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-double largest(const std::vector<double>& values) {
-    return *std::max_element(values.begin(), values.end());
 }
 
 /// us a call: the best of several blocks, each long enough for the clock.
@@ -105,7 +80,7 @@ ToleranceRow summaryOf(const Figures& figures, double tolerance) {
 }  // namespace
 
 std::vector<StudyHull> studyHulls(double length) {
-    scenes::WigleyDef wigley;
+    WigleyDef wigley;
     wigley.length = length;
     wigley.beam = length / 5;
     wigley.draft = wigley.freeboard = length / 10;
@@ -118,25 +93,6 @@ std::vector<StudyHull> studyHulls(double length) {
 
 StudyHull icosphere(double diameter, int levels) {
     return hullOf("icosphere", tessellate(Sphere{Vec3::Zero(), diameter / 2}, levels), diameter);
-}
-
-std::vector<StudyCase> casesAcross(const WaterField& water, const Hull& hull, int count) {
-    scenes::RandomNumbers random(20261125);
-    std::vector<StudyCase> cases;
-    while (cases.size() < std::size_t(count)) {
-        StudyCase c;
-        c.time = random.uniform(0, 1000);
-        const double x = random.uniform(-1000, 1000), y = random.uniform(-1000, 1000);
-        const double height = random.uniform(-1, 1) * hull.bounds.radius;
-        const Eigen::Quaterniond orientation = random.orientation();
-        c.inFlatWater = {Vec3(x, y, height) - orientation * hull.bounds.centre, orientation};
-        c.pose = c.inFlatWater;
-        c.pose.position.z() += elevationAt(water, {x, y}, c.time);
-        const double wet =
-            evaluateExact(hull, c.inFlatWater, flatWater()).submergedVolume / hull.moments.volume;
-        if (wet >= 0.01 && wet <= 0.99) cases.push_back(c);
-    }
-    return cases;
 }
 
 std::vector<ToleranceRow> studyTolerances(const StudyHull& hull, const WaterField& water,

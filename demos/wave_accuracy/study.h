@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bullet_buoyancy/hydrostatics/hydrostatics.h"
+#include "scenes/study_cases.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -19,16 +20,6 @@ std::vector<StudyHull> studyHulls(double length);
 
 /// A sphere of so many triangles: 20 * 4^levels.
 StudyHull icosphere(double diameter, int levels);
-
-/// A moment at which a hull lies across the surface of a sea.
-struct StudyCase {
-    Pose pose;
-    Pose inFlatWater;  ///< the same, as high above the plane z = 0
-    double time;       ///< s
-};
-
-/// At random (fixed seed), of all attitudes; in flat water 1 to 99 % of the hull would be wet.
-std::vector<StudyCase> casesAcross(const WaterField& water, const Hull& hull, int count);
 
 /// How an evaluation in waves fares at one tolerance, over all cases. Errors are over the weight of water
 /// that the whole hull displaces, torques over that times the hull's length.
@@ -47,14 +38,15 @@ inline constexpr double errorOfReference = 1e-8;
 
 /// One row for each tolerance of 1e-1 to 1e-5, and for 0.
 std::vector<ToleranceRow> studyTolerances(const StudyHull& hull, const WaterField& water,
-                                          const std::vector<StudyCase>& cases, PressureModel pressure);
+                                          const std::vector<scenes::StudyCase>& cases,
+                                          PressureModel pressure);
 
 struct SampleCount {
     double samples, microseconds;  ///< medians
 };
 
 /// What an evaluation takes, without a look at its error.
-SampleCount countSamples(const StudyHull& hull, const WaterField& water, const std::vector<StudyCase>& cases,
-                         const HydrostaticQuery& query);
+SampleCount countSamples(const StudyHull& hull, const WaterField& water,
+                         const std::vector<scenes::StudyCase>& cases, const HydrostaticQuery& query);
 
 }  // namespace bullet_buoyancy::demo

@@ -1,23 +1,14 @@
 #include "wave_cost/crowd.h"
 
-#include <cmath>
-
 #include "bullet_buoyancy/bullet/convert.h"
+#include "scenes/crowd_pose.h"
+#include "scenes/study_cases.h"
 
 namespace bullet_buoyancy::demo {
 
 namespace {
 
 constexpr double dt = 1.0 / 60, distance = 4;  // s, m
-constexpr int bodiesInARow = 32;
-
-double elevationAt(const WaterField& water, double x, double y) {
-    Eigen::ArrayX2d point(1, 2);
-    point << x, y;
-    Eigen::ArrayX3d surface(1, 3);
-    water.sampleSurface(point, 0, surface);
-    return surface(0, 0);
-}
 
 }  // namespace
 
@@ -28,11 +19,8 @@ Crowd::Crowd(const WaterField& water, const BuoyancySettings& settings, int coun
     const Vec3 size = Vec3::Ones();
     BodyDef def;
     for (int i = 0; i < count; ++i) {
-        const double x = distance * (i % bodiesInARow), y = distance * (i / bodiesInARow);
-        Pose pose;
-        // Each at another height and heel, so that nothing can be learnt by heart.
-        pose.position = {x, y, elevationAt(water, x, y) + 0.2 * std::sin(i)};
-        pose.orientation = Eigen::AngleAxisd(0.2 * std::sin(3 * i), Vec3(std::cos(i), std::sin(i), 0));
+        Pose pose = scenes::crowdPose(i, distance, 0.2);
+        pose.position.z() += scenes::elevationAt(water, pose.position.head<2>(), 0);
         auto shape = std::make_unique<btBoxShape>(toBullet(size / 2));
         if (!def.hull) def.hull = hullFromShape(*shape).hull;
         btRigidBody& body = m_scene.addBody(std::move(shape), 0.5 * water.density() * size.prod(), pose);

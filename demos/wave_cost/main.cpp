@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
+#include "scenes/statistics.h"
 #include "scenes/study_seas.h"
 #include "wave_cost/crowd.h"
 
@@ -16,12 +16,6 @@ struct Options {
     std::string csv;
 };
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Of one crowd, a figure a round: ns a body, and over those of the crowd in flat water in the same round.
 struct Costs {
     std::vector<double> step, stepOverFlat, evaluation, evaluationOverFlat;
@@ -33,20 +27,6 @@ struct CrowdInSea {
     std::unique_ptr<Crowd> crowd;
     Costs costs;
 };
-
-/// Waves of a sea of 1 m and 6 s without the short ones, which as Gerstner waves would loop; and a sea with
-/// all the short waves of its spectrum.
-std::vector<NamedSea> allSeas() {
-    StudySeaDef smooth;
-    smooth.components = 16;
-    smooth.spreading = 10;
-    smooth.highestFrequency = 2;
-    StudySeaDef irregular;
-    irregular.spreading = 10;
-    return {gerstnerSea("16 Gerstner waves from 14 m on", smooth),
-            airySea("16 Airy waves from 14 m on", smooth),
-            airySea("JONSWAP of 64 waves from 3.5 m on", irregular)};
-}
 
 /// The first is in flat water.
 std::vector<CrowdInSea> allCrowds(const std::vector<NamedSea>& seas, const WaterField& flat, int bodies) {
@@ -90,7 +70,7 @@ void print(const std::vector<CrowdInSea>& crowds, std::ofstream& csv) {
 
 int run(const Options& options) {
     const FlatWater flat(WaterFrame::zUp());
-    const std::vector<NamedSea> seas = allSeas();
+    const std::vector<NamedSea> seas = threeSeas();
     std::ofstream csv;
     if (!options.csv.empty()) {
         csv.open(options.csv);

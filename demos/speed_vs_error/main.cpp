@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
+
+#include "bullet_buoyancy/water/flat_water.h"
+#include "scenes/statistics.h"
+#include "scenes/timed_scene.h"
+#include "speed_vs_error/machine.h"
+#include "speed_vs_error/options.h"
+#include "speed_vs_error/plot.h"
+#include "speed_vs_error/report.h"
+
+namespace bullet_buoyancy::demo {
+namespace {
+
+using namespace scenes;
+
+/// What of the hulls is studied in a water, and how thoroughly.
+struct Plan {
+    int mostTriangles;
+    StudyEffort effort;
+};
+
+Plan planOf(bool isFlat, bool quick) {
+    if (isFlat) return quick ? Plan{5120, {40000, 2000, 16, 3}} : Plan{81920, {400000, 4000, 16, 9}};
+    return quick ? Plan{320, {4000, 200, 4, 3}} : Plan{20480, {20000, 1000, 16, 5}};
+}
+
+std::vector<NamedSea> allWaters() {
+    std::vector<NamedSea> waters = threeSeas();
+    waters.insert(waters.begin(), {"flat water", std::make_shared<FlatWater>(WaterFrame::zUp()), 0});
+    return waters;
+}
+
+std::vector<SpeedRow> studyAll(bool quick, Fnv1a& hash) {
+    const std::vector<NamedHull> hulls = hullsOfAllKinds();
+    std::vector<SpeedRow> all;
+    for (const NamedSea& water : allWaters()) {
+        const Plan plan = planOf(water.water->bounds().isFlat(), quick);
+        for (const NamedHull& hull : hulls) {
+            if (hull.hull->mesh.triangles.size() > std::size_t(plan.mostTriangles)) continue;
+            const std::vector<SpeedRow> rows = studySpeed(hull, water, plan.effort, hash);
+            printRows(rows);
+            all.insert(all.end(), rows.begin(), rows.end());
+        }
+    }
+    return all;
+}
+
+void printScenes(int bodies, int substeps) {
+    std::printf("\n%-28s %12s %14s %12s %9s %11s\n", "a world in flat water", "us a substep", "Bullet alone",
+                "the action", "share, %", "ns a body");
+    for (const NamedShapes& shapes : shapesOfScenes()) {
+        TimedScene scene(shapes, bodies);
+        std::vector<double> whole, bullet, action;
+        for (int i = 0; i < substeps; ++i) {
+            const SubstepTime time = scene.step();
+            if (i < substeps / 10) continue;  // from where they were put to how they float
+            whole.push_back(time.whole / 1000);
+            bullet.push_back((time.whole - time.action) / 1000);
+            action.push_back(time.action / 1000);
+        }
+        std::printf("%4d %-23s %12.0f %14.0f %12.0f %9.1f %11.0f\n", bodies, shapes.name, median(whole),
+                    median(bullet), median(action), 100 * median(action) / median(whole),
+                    1000 * median(action) / bodies);
+    }
+}
+
+int run(const SpeedOptions& options) {
+    std::printf(
+        "%s\nTimes of one evaluation; speeds in multiples of the first evaluator's in the same run. Errors\n"
+        "over the weight of water that the whole hull displaces, torques over that times its bounding\n"
+        "radius: medians and largest. To baselines round solids are meshes.\n",
+        describeMachine().c_str());
+    Fnv1a hash;
+    const std::vector<SpeedRow> rows = studyAll(options.quick, hash);
+    if (options.quick)
+        printScenes(200, 60);
+    else
+        printScenes(1000, 600);
+    int broken = 0;
+    for (const SpeedRow& row : rows)
+        broken += row.broken;
+    if (broken > 0) std::printf("\n%d results are farther off than their evaluators state\n", broken);
+    std::printf("\nHash of the library's results: %016" PRIx64 "\n", hash.value());
+    if (!options.csv.empty()) {
+        std::ofstream csv(options.csv);
+        writeCsv(csv, rows);
+        if (!csv.flush()) {
+            std::fprintf(stderr, "speed_vs_error: cannot write %s\n", options.csv.c_str());
+            return 1;
+        }
+    }
+    if (!options.plot.empty() && !plot(rows, options.plot)) return 1;
+    return broken > 0;
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::demo
+
+int main(int argc, char** argv) {
+    int exitStatus = 0;
+    const auto options = bullet_buoyancy::demo::parseSpeedOptions(argc, argv, exitStatus);
+    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+}
