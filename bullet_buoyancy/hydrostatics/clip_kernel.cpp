@@ -230,15 +230,33 @@ int open(const Cluster<Real>& cluster, const PackPlane& plane, WetRows<Real>& ro
     return count;
 }
 
+/// Always in the same order, whatever the width of the register.
+template <typename Real>
+double sumOf(const PackRow<Real>& row) {
+    Real eight[8], four[4];
+    for (int i = 0; i < 8; ++i)
+        eight[i] = row.lane[i] + row.lane[i + 8];
+    for (int i = 0; i < 4; ++i)
+        four[i] = eight[i] + eight[i + 4];
+    return (double(four[0]) + double(four[2])) + (double(four[1]) + double(four[3]));
+}
+
+template <typename Real>
+PressureSums sum(const PressureRows<Real>& rows) {
+    return {sumOf(rows.depth),
+            {sumOf(rows.depthMoment[0]), sumOf(rows.depthMoment[1]), sumOf(rows.depthMoment[2])}};
+}
+
 }  // namespace
 
 extern const ClipKernels<float> clipSingle;
 extern const ClipKernels<double> clipFull;
 
 const ClipKernels<float> clipSingle = {{clip<float, WetRowsAsked::pressure>, clip<float, WetRowsAsked::all>},
-                                       {open<float, WetRowsAsked::pressure>, open<float, WetRowsAsked::all>}};
-const ClipKernels<double> clipFull = {
-    {clip<double, WetRowsAsked::pressure>, clip<double, WetRowsAsked::all>},
-    {open<double, WetRowsAsked::pressure>, open<double, WetRowsAsked::all>}};
+                                       {open<float, WetRowsAsked::pressure>, open<float, WetRowsAsked::all>},
+                                       sum<float>};
+const ClipKernels<double> clipFull = {{clip<double, WetRowsAsked::pressure>, clip<double, WetRowsAsked::all>},
+                                      {open<double, WetRowsAsked::pressure>, open<double, WetRowsAsked::all>},
+                                      sum<double>};
 
 }  // namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL

@@ -36,7 +36,12 @@ struct WetRows {
 /// What of the rows to sum up.
 enum class WetRowsAsked { pressure, all };
 
-/// The two loops that the time goes into. Each instruction set sums the same numbers in the same order:
+struct PressureSums {
+    double depth;
+    double depthMoment[3];
+};
+
+/// The loops that the time goes into. Each instruction set sums the same numbers in the same order:
 /// results are the same to the last bit.
 template <typename Real>
 struct ClipKernels {
@@ -48,8 +53,12 @@ struct ClipKernels {
     using Open = int (*)(const Cluster<Real>& cluster, const PackPlane& plane, WetRows<Real>& rows,
                          std::uint8_t* cut);
 
+    /// Sums up the parts.
+    using Sum = PressureSums (*)(const PressureRows<Real>& rows);
+
     Clip clip[2];  ///< by WetRowsAsked
     Open open[2];
+    Sum sum;
 };
 
 template <typename Real>

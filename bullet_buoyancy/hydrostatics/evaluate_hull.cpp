@@ -6,8 +6,7 @@
 namespace bullet_buoyancy {
 
 HydrostaticResult evaluateHull(const Hull& hull, const Pose& pose, const WaterField& water,
-                               const HydrostaticQuery& asked, MeshSum sum) {
-    const HydrostaticQuery query = withPrerequisites(asked);
+                               const HydrostaticQuery& query, MeshSum sum) {
     WetIntegrals integrals;
     if (!water.bounds().isFlat())
         return toResult(integrals, pose, water, query, addHullInWaves(hull, pose, water, query, integrals));

@@ -33,6 +33,8 @@ struct HydrostaticQuery {
     bool wettedArea = false;
     bool waterplane = false;
     bool stiffness = false;
+
+    bool needsWaterplane() const { return waterplane || stiffness; }
 };
 
 /// The section of a body at the water's surface; r runs from the centre of mass, in world axes.

@@ -8,7 +8,6 @@ namespace bullet_buoyancy {
 
 namespace {
 
-/// Always in the same order, whatever the lanes of the machine.
 template <typename Real>
 double sumOf(const PackRow<Real>& row) {
     Real eight[8], four[4];
@@ -30,8 +29,9 @@ public:
     PackedMeshInWater(const PackedTriangles<Real>& mesh, const PackPlane& plane, WetRowsAsked asked)
         : m_mesh(mesh),
           m_plane(plane),
-          m_clip(clipKernels<Real>().clip[int(asked)]),
-          m_open(clipKernels<Real>().open[int(asked)]) {
+          m_kernels(clipKernels<Real>()),
+          m_clip(m_kernels.clip[int(asked)]),
+          m_open(m_kernels.open[int(asked)]) {
         if (asked == WetRowsAsked::all)
             m_rows = {};
         else
@@ -55,7 +55,8 @@ public:
         clipListed();
     }
 
-    const WetRows<Real>& rows() const { return m_rows; }
+    PressureSums pressure() const { return m_kernels.sum(m_rows.pressure); }
+    const ShadowRows<Real>& shadow() const { return m_rows.shadow; }
 
 private:
     struct Place {
@@ -89,6 +90,7 @@ private:
 
     const PackedTriangles<Real>& m_mesh;
     const PackPlane& m_plane;
+    const ClipKernels<Real>& m_kernels;
     typename ClipKernels<Real>::Clip m_clip;
     typename ClipKernels<Real>::Open m_open;
     WetRows<Real> m_rows;
@@ -104,12 +106,11 @@ Vec3 movedFirst(double zeroth, const Vec3& first, const Vec3& offset) {
 
 /// By the divergence theorem with d up, which vanishes at the surface. What depth is integrated over the
 /// volume follows: up . x = depth of the origin - d.
-template <typename Real>
-void addDisplacement(const PressureRows<Real>& rows, const WaterPlane& plane, double depthOfOrigin,
+void addDisplacement(const PressureSums& sums, const WaterPlane& plane, double depthOfOrigin,
                      const Vec3& origin, WetIntegrals& integrals) {
     const Vec3& up = plane.upInBody;
-    const double volume = -sumOf(rows.depth);
-    const Vec3 depthMoment = -sumOf(rows.depthMoment);
+    const double volume = -sums.depth;
+    const Vec3 depthMoment(-sums.depthMoment[0], -sums.depthMoment[1], -sums.depthMoment[2]);
     const double headVolume = (depthOfOrigin * volume - up.dot(depthMoment)) / 2;
     integrals.addDisplacement(up, volume, movedFirst(volume, depthMoment + headVolume * up, origin),
                               headVolume);
@@ -142,18 +143,17 @@ void add(const PackedMesh& mesh, const WaterPlane& plane, MeshSum sum, const Hyd
          WetIntegrals& integrals) {
     const Vec3& up = plane.upInBody;
     const PackPlane packPlane{{up.x(), up.y(), up.z()}, plane.depth(mesh.origin)};
-    const bool wantsAll = query.waterplane || query.wettedArea;
+    const bool wantsAll = query.needsWaterplane() || query.wettedArea;
     PackedMeshInWater<Real> inWater(mesh.in<Real>(), packPlane,
                                     wantsAll ? WetRowsAsked::all : WetRowsAsked::pressure);
     if (sum == MeshSum::inPacks)
         inWater.addEveryTriangle();
     else
         inWater.addAtTheSurface();  // of a mesh of a few packs every triangle
-    const WetRows<Real>& rows = inWater.rows();
-    addDisplacement(rows.pressure, plane, packPlane.depthOfOrigin, mesh.origin, integrals);
-    if (query.waterplane)
-        addShadow(rows.shadow, plane, packPlane.depthOfOrigin, mesh.origin, integrals.waterplane);
-    if (query.wettedArea) integrals.wettedArea += sumOf(rows.shadow.area);
+    addDisplacement(inWater.pressure(), plane, packPlane.depthOfOrigin, mesh.origin, integrals);
+    if (query.needsWaterplane())
+        addShadow(inWater.shadow(), plane, packPlane.depthOfOrigin, mesh.origin, integrals.waterplane);
+    if (query.wettedArea) integrals.wettedArea += sumOf(inWater.shadow().area);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void addCutSections(const ProfilePiece& piece, const AxisInWater& view, double b
         sums.depthVolume += view.depth(x) * area - view.upAcross * sMoment;
         if (query.wettedArea)
             integrals.wettedArea += weight * section.wetAngle() * piece.radiusTimesArcLength(x);
-        if (query.waterplane) {
+        if (query.needsWaterplane()) {
             const double strip = weight * 2 * section.w / view.upAcross;
             integrals.addWaterplane(strip, view.origin + x * view.axis + section.c * view.rising,
                                     strip * section.w * section.w / 3 * sideways * sideways.transpose());
@@ -100,7 +100,7 @@ void addPiece(const ProfilePiece& piece, const AxisInWater& view, const Hydrosta
                 integrals.wettedArea += 2 * pi * piece.radiusTimesArcLength(middle) * (end - begin);
         }
     }
-    if (query.waterplane && view.upAcross == 0) addUprightWaterplane(piece, view, integrals);
+    if (query.needsWaterplane() && view.upAcross == 0) addUprightWaterplane(piece, view, integrals);
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ void addSphere(const Sphere& sphere, const WaterPlane& plane, const HydrostaticQ
     integrals.addDisplacement(plane.upInBody, volume, volume * sphere.centre - centreMoment * plane.upInBody,
                               centreDepth * volume + centreMoment);
     if (query.wettedArea) integrals.wettedArea += 2 * pi * radius * immersion;
-    if (query.waterplane)
+    if (query.needsWaterplane())
         integrals.addWaterplane(
             pi * waterline2, sphere.centre + centreDepth * plane.upInBody,
             centreMoment * (Mat3::Identity() - plane.upInBody * plane.upInBody.transpose()));

@@ -378,7 +378,8 @@ private:
         m_integrals.volumeMoment -= areaUp * depth * (position + depth / 2 * up);
         m_integrals.headVolume -= areaUp / 2 * depth * head;
         if (m_query.wettedArea) m_integrals.wettedArea += areaVector.norm();
-        if (m_query.waterplane) m_integrals.addWaterplane(-areaUp, position + depth * up, Mat3::Zero());
+        if (m_query.needsWaterplane())
+            m_integrals.addWaterplane(-areaUp, position + depth * up, Mat3::Zero());
     }
 
     /// Across a panel: round the axis at one place of the profile, or along the profile at one angle.

@@ -18,7 +18,7 @@ HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, cons
     result.forceErrorBound = weightDensity * (integrals.error + integrals.lastingError).norm();
     result.waterSamples = integrals.samples;
     result.wettedArea = integrals.wettedArea;
-    if (query.waterplane) {
+    if (query.needsWaterplane()) {
         result.waterplane.area = integrals.waterplane.area;
         result.waterplane.firstMoment = rotation * integrals.waterplane.firstMoment;
         result.waterplane.secondMoment = rotation * integrals.waterplane.secondMoment * rotation.transpose();
@@ -26,11 +26,6 @@ HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, cons
     if (query.stiffness)
         result.stiffness = hydrostaticStiffness(result, rotation * pushesInBody, weightDensity);
     return result;
-}
-
-HydrostaticQuery withPrerequisites(HydrostaticQuery query) {
-    query.waterplane |= query.stiffness;
-    return query;
 }
 
 }  // namespace bullet_buoyancy

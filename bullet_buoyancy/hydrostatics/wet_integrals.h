@@ -43,7 +43,4 @@ struct WetIntegrals {
 HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, const WaterField& water,
                            const HydrostaticQuery& query, const Vec3& pushesInBody);
 
-/// The query with all that what it asks for is made from.
-HydrostaticQuery withPrerequisites(HydrostaticQuery query);
-
 }  // namespace bullet_buoyancy

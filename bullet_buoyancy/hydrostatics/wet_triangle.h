@@ -59,7 +59,7 @@ void addWetTriangle(const Point& a, const Point& b, const Point& c, const Vec3& 
     addPressure(a, b, c, up, integrals);
     if (query.wettedArea)
         integrals.wettedArea += (b.position - a.position).cross(c.position - a.position).norm() / 2;
-    if (query.waterplane) addShadow(a, b, c, up, integrals.waterplane);
+    if (query.needsWaterplane()) addShadow(a, b, c, up, integrals.waterplane);
 }
 
 }  // namespace bullet_buoyancy
