@@ -2,9 +2,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace bullet_buoyancy {
+
+/// The one by the axes' parts, exact for boxes, the other by Cauchy and Schwarz.
+double SurfaceMoments::shadowAlong(const Vec3& direction) const {
+    return std::min(shadows.dot(direction.cwiseAbs()),
+                    std::sqrt(area * direction.dot(orientation * direction)) / 2);
+}
 
 double SurfaceMoments::largestSection() const {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(orientation, Eigen::EigenvaluesOnly);
@@ -19,6 +26,7 @@ SurfaceMoments& SurfaceMoments::operator+=(const SurfaceMoments& other) {
     area += other.area;
     position += other.position;
     orientation += other.orientation;
+    shadows += other.shadows;
     return *this;
 }
 
@@ -34,6 +42,7 @@ SurfaceMoments surfaceMoments(const TriangleMesh& mesh) {
         moments.position +=
             area / 12 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
         moments.orientation += areaVector * areaVector.transpose() / area;
+        moments.shadows += areaVector.cwiseAbs() / 2;
     }
     return moments;
 }

@@ -9,6 +9,11 @@ struct SurfaceMoments {
     double area = 0;                  ///< m^2
     Mat3 position = Mat3::Zero();     ///< integral of r r^T over the surface, r from the frame's origin, m^4
     Mat3 orientation = Mat3::Zero();  ///< integral of n n^T, n the unit normal, m^2
+    Vec3 shadows = Vec3::Zero();      ///< half of the integral of |n| along the frame's axes, m^2
+
+    /// Half of the integral of |n.direction|, from above, m^2: of a closed surface the area in which lines
+    /// along the unit vector `direction` meet it, as often as they enter it.
+    double shadowAlong(const Vec3& direction) const;
 
     /// No section, however the body lies, is larger: half of integral |n.up|, the largest shadow, is bounded
     /// by Cauchy and Schwarz. m^2.

@@ -9,7 +9,8 @@ HydrostaticResult evaluateHull(const Hull& hull, const Pose& pose, const WaterFi
                                const HydrostaticQuery& query, MeshSum sum) {
     WetIntegrals integrals;
     if (!water.bounds().isFlat())
-        return toResult(integrals, pose, water, query, addHullInWaves(hull, pose, water, query, integrals));
+        return toResult(integrals, pose, water, query,
+                        addHullInWaves(hull, pose, water, query, sum, integrals));
     const WaterPlane plane = waterPlaneInBody(water, pose, query.time);
     integrals.samples = 1;
     addHullUnderPlane(hull, plane, sum, query, integrals);

@@ -5,6 +5,8 @@
 
 #include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/solid_in_waves.h"
+#include "bullet_buoyancy/hydrostatics/tangent_water.h"
+#include "bullet_buoyancy/hydrostatics/under_plane.h"
 
 namespace bullet_buoyancy {
 
@@ -19,10 +21,26 @@ constexpr double meanErrorOverLargest = 0.2;
 /// For solids where the mesh's tolerance is none.
 constexpr double smallestTolerance = 1e-6;
 
+/// Rough meshes that measure shadows lie inside curved parts, by less than this.
+constexpr double insideMargin = 1.01;
+
+/// What a bend adds to a linear function in a box about its centre.
+struct Excess {
+    double middle, halfRange;  ///< of all its values
+    double slope;              ///< largest
+
+    Excess(const Mat3& bend, const Vec3& halfExtents) {
+        const Mat3 sizes = bend.cwiseProduct(halfExtents * halfExtents.transpose()).cwiseAbs();
+        middle = bend.diagonal().dot(halfExtents.cwiseAbs2()) / 4;
+        halfRange = sizes.trace() / 4 + (sizes.sum() - sizes.trace()) / 2;
+        slope = (bend.cwiseAbs() * halfExtents).norm();
+    }
+};
+
 class HullInWaves {
 public:
-    HullInWaves(const Hull& hull, const WaterView& water, const HydrostaticQuery& query)
-        : m_hull(hull), m_water(water), m_query(query), m_up(water.upInBody()) {
+    HullInWaves(const Hull& hull, const WaterView& water, const HydrostaticQuery& query, MeshSum sum)
+        : m_hull(hull), m_water(water), m_query(query), m_sum(sum), m_up(water.upInBody()) {
         const double level = water.field.frame().pointFromWorld(water.pose.position).z();
         const double height = level + m_up.dot(hull.bounds.centre);  // of the hull's middle
         m_isDry = height - hull.bounds.radius >= water.bounds.elevation;
@@ -53,11 +71,7 @@ private:
         note(patch, integrals);
         const WaterExpansion& water = patch.near(centre);
         const Mat3 spread = moved(all, -centre).secondMoment;
-        const bool inPlan = m_water.pressure == PressureModel::hydrostatic;
-        const double distance2 = spread.trace() - (inPlan ? m_up.dot(spread * m_up) : 0);
-        // Of the gradient, integrated over the volume.
-        const double error = 2 * water.error.second * std::sqrt(all.volume * distance2) +
-                             (3 * water.error.third + 4 * water.error.fourth * patch.reach()) * distance2;
+        const double error = gradientError(water, spread, patch.reach());
         if (error > m_tolerance) return false;
         const Vec3 force = all.volume * water.head.gradient;
         integrals.headNormal += force;
@@ -70,6 +84,15 @@ private:
         return true;
     }
 
+    /// Upper bound of the error of the gradient integrated over the whole volume, with the volume's second
+    /// moment about the expansion's centre, and a farthest distance from there.
+    double gradientError(const WaterExpansion& water, const Mat3& spread, double farthest) const {
+        const bool inPlan = m_water.pressure == PressureModel::hydrostatic;
+        const double distance2 = spread.trace() - (inPlan ? m_up.dot(spread * m_up) : 0);
+        return 2 * water.error.second * std::sqrt(m_hull.moments.volume * distance2) +
+               (3 * water.error.third + 4 * water.error.fourth * farthest) * distance2;
+    }
+
     /// The integral of r x (bend r), from that of r r^T times the bend.
     static Vec3 crossOf(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
 
@@ -78,6 +101,7 @@ private:
     void addWithin(WetIntegrals& integrals) {
         const WaterPatch one(m_water, box(), infinity);
         note(one, integrals);
+        if (addUnderPlane(one, integrals)) return;
         constexpr double worthATry = 2;
         if (meanError(one) <= worthATry * allowedHeadError() && addWith(one, integrals) <= 1) return;
         double reach =
@@ -92,6 +116,43 @@ private:
             if (excess <= 1 || isLast) return;
             reach = std::min(reach, patch.reach()) / (1.2 * std::cbrt(excess));
         }
+    }
+
+    /// Under the plane that is nearest to the water about a closed hull, with what the water's bend adds to
+    /// the gradient of hydrostatic pressure over the displacement. False if that is not enough.
+    ///
+    /// The force is the integral of the head's gradient over the displacement. The displacement is off by no
+    /// more than the hull's shadow times the farthest that the water is from the plane; the gradient, where
+    /// it is displaced, by that of the expansion's error.
+    bool addUnderPlane(const WaterPatch& one, WetIntegrals& integrals) {
+        if (m_water.pressure != PressureModel::hydrostatic || !m_hull.meshIsClosed) return false;
+        const Vec3 centre = m_hull.bounds.centre;
+        const WaterExpansion& water = one.near(centre);
+        const Excess excess(water.head.bend, m_hull.halfExtents);
+        const Vec3& gradient = water.head.gradient;
+        const double strayed = excess.halfRange + one.errorWithin(water, one.reach());
+        const double depth = water.head.value + excess.middle;
+        const double reach = gradient.cwiseAbs().dot(m_hull.halfExtents) + strayed;
+        if (depth <= -reach) return true;
+        if (depth >= reach) return addUnder(integrals);
+        const double misplaced = insideMargin * m_hull.surface.shadowAlong(m_up) * strayed;
+        const double sideways = std::sqrt(std::max(0.0, gradient.squaredNorm() - 1)) + excess.slope;
+        const double error = std::hypot(
+            misplaced, misplaced * sideways +
+                           gradientError(water, moved(m_hull.moments, -centre).secondMoment, one.reach()));
+        if (error > m_tolerance) return false;
+
+        const TangentWater plane(depth, gradient, m_up, centre);
+        WetIntegrals underPlane;
+        addHullUnderPlane(m_hull, plane.plane, m_sum, m_query, underPlane);
+        const Vec3 moment = underPlane.volumeMoment - underPlane.volume * centre;
+        const Vec3 byBend = water.head.bend * moment;
+        plane.add(underPlane, integrals);
+        integrals.headNormal += byBend;
+        if (underPlane.volume > 0)
+            integrals.headTorque += underPlane.volumeMoment.cross(byBend) / underPlane.volume;
+        integrals.error += plane.steepness * underPlane.error + Vec3::Constant(error / std::sqrt(3.0));
+        return true;
     }
 
     double meanError(const WaterPatch& one) const {
@@ -137,6 +198,7 @@ private:
     const Hull& m_hull;
     const WaterView& m_water;
     const HydrostaticQuery& m_query;
+    MeshSum m_sum;
     Vec3 m_up;
     bool m_isDry, m_isUnder;
     double m_tolerance;  // of the force over density and gravity, m^3
@@ -146,9 +208,9 @@ private:
 }  // namespace
 
 Vec3 addHullInWaves(const Hull& hull, const Pose& pose, const WaterField& water,
-                    const HydrostaticQuery& query, WetIntegrals& integrals) {
+                    const HydrostaticQuery& query, MeshSum sum, WetIntegrals& integrals) {
     const WaterView view{water, water.bounds(), pose, query.time, query.pressure};
-    return HullInWaves(hull, view, query).add(integrals);
+    return HullInWaves(hull, view, query, sum).add(integrals);
 }
 
 }  // namespace bullet_buoyancy

@@ -1,13 +1,14 @@
 #pragma once
 
+#include "bullet_buoyancy/hydrostatics/mesh_sum.h"
 #include "bullet_buoyancy/hydrostatics/wet_integrals.h"
 
 namespace bullet_buoyancy {
 
 /// Adds what water with waves does to a hull, with the bound of the error that the waves cause and the number
 /// of samples: see `evaluateExact`. Returns minus the gradient of the head at the hull, in its frame: where
-/// the pressure pushes, as `up` does in flat water.
+/// the pressure pushes, as `up` does in flat water. `sum`: where a plane is near enough to the waves.
 Vec3 addHullInWaves(const Hull& hull, const Pose& pose, const WaterField& water,
-                    const HydrostaticQuery& query, WetIntegrals& integrals);
+                    const HydrostaticQuery& query, MeshSum sum, WetIntegrals& integrals);
 
 }  // namespace bullet_buoyancy

@@ -12,6 +12,12 @@ struct TangentWater {
     double steepness;
     double steepnessUpright;  ///< growth of the head a metre straight down
 
+    /// With that head and gradient of it at a point.
+    TangentWater(double headThere, const Vec3& gradient, const Vec3& up, const Vec3& pointInBody)
+        : steepness(gradient.norm()), steepnessUpright(-gradient.dot(up)) {
+        plane = {-gradient / steepness, (headThere - gradient.dot(pointInBody)) / steepness};
+    }
+
     /// Where the point is less than `reach` (m) from the surface the one at the surface above or below it.
     TangentWater(const WaterExpansion& water, const Vec3& up, const Vec3& pointInBody, double reach) {
         const double depth = water.depthAt(pointInBody);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/core/exp.h"
+#include "bullet_buoyancy/water/third_derivative.h"
+
 namespace bullet_buoyancy {
 
 namespace {
@@ -22,11 +25,6 @@ WaterBounds boundsOf(const std::vector<WaveComponent>& components) {
     bounds.curvatureChangeGrowth = waveMoment(components, 4);
     bounds.still = bounds.elevation == 0;
     return bounds;
-}
-
-/// Along any direction, by the inequality of Cauchy and Schwarz with the direction's own third power.
-double thirdDerivativeBound(double xxx, double xxy, double xyy, double yyy) {
-    return std::sqrt(xxx * xxx + 3 * (xxy * xxy + xyy * xyy) + yyy * yyy);
 }
 
 }  // namespace
@@ -49,10 +47,10 @@ AiryWaves::AiryWaves(const WaterFrame& frame, const AiryWavesDef& def)
 /// the bed than the waves are high: from there on down nothing changes, so that nothing overflows.
 void AiryWaves::decay(std::size_t lane, double s, Lanes& even, Lanes& odd) const {
     const WaveLanes::Stored& wavenumber = m_lanes[lane].wavenumber;
-    const Lanes up = (wavenumber * s).exp();
+    const Lanes up = expOf<laneCount>(wavenumber * s);
     even = odd = up;
     if (std::isinf(m_depth)) return;
-    const Lanes down = (wavenumber * (-2 * m_depth - s)).exp();
+    const Lanes down = expOf<laneCount>(wavenumber * (-2 * m_depth - s));
     even = (up + down) * m_depthLanes[lane].evenShare;
     odd = (up - down) * m_depthLanes[lane].evenShare;
 }
@@ -98,7 +96,7 @@ void AiryWaves::expandSurface(HorizontalPoints points, double time, SurfaceExpan
         }
         expansions.row(row) << elevation.sum(), slopeX.sum(), slopeY.sum(), bendXX.sum(), bendXY.sum(),
             bendYY.sum(),
-            thirdDerivativeBound(thirdXXX.sum(), thirdXXY.sum(), thirdXYY.sum(), thirdYYY.sum());
+            largestThirdDerivative(thirdXXX.sum(), thirdXXY.sum(), thirdXYY.sum(), thirdYYY.sum());
     }
 }
 

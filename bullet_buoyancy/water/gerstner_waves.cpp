@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/core/exp.h"
 #include "bullet_buoyancy/water/trochoid.h"
 
 namespace bullet_buoyancy {
 
 namespace {
 
-/// What an extrapolated slope may be off by, m/m: no more than curvature's change times the distance's
-/// square.
+/// What extrapolated slopes (m/m) and second derivatives (1/m) may be off by: no more than the change of the
+/// curvature, or that change's growth, times the distance's square.
 constexpr double slopeTolerance = 1e-8;
 
-/// How far second derivatives are taken over unchanged, m: they are then off by as many times their change.
-constexpr double bendReach = 1e-9;
+/// What velocities may be off by, over the sum of all waves' orbital speeds.
+constexpr double velocityTolerance = 1e-4;
 
 WaterStatus check(const std::vector<WaveComponent>& components) {
     WaterStatus status = checkComponents(components);
@@ -26,78 +27,106 @@ WaterStatus check(const std::vector<WaveComponent>& components) {
 }
 
 /// With the steepness s, derivatives of the resting place by the place are at most j = 1 / (1 - s). For the
-/// second and third derivatives of the elevation along a line, derive it twice and thrice through the resting
-/// place, with |cos + slope sin| <= sqrt(1 + (s j)^2) <= j.
+/// second to fourth derivatives of the elevation along a line, derive it so often through the resting place,
+/// with |cos + slope sin| <= sqrt(1 + (s j)^2) <= j.
 WaterBounds boundsOf(const std::vector<WaveComponent>& components) {
     const double j = 1 / (1 - waveMoment(components, 1));
-    const double second = waveMoment(components, 2), third = waveMoment(components, 3);
+    const double second = waveMoment(components, 2), third = waveMoment(components, 3),
+                 fourth = waveMoment(components, 4);
     WaterBounds bounds;
     bounds.elevation = waveMoment(components, 0);
     bounds.slope = waveMoment(components, 1) * j;
     bounds.curvature = second * std::pow(j, 3);
     bounds.curvatureChange = third * std::pow(j, 4) + 3 * second * second * std::pow(j, 5);
+    bounds.curvatureChangeGrowth = fourth * std::pow(j, 5) + 10 * second * third * std::pow(j, 6) +
+                                   15 * std::pow(second, 3) * std::pow(j, 7);
     bounds.still = bounds.elevation == 0;
     return bounds;
 }
 
 /// A particle under the surface, seen from a point.
 struct DeepParticle {
-    Vec3 rest = Vec3::Zero();   // height below zero
-    Vec3 shift = Vec3::Zero();  // from the point to the particle
-    Mat3 placeFromRest = Mat3::Identity();
-    Vec3 velocity = Vec3::Zero();
+    Vec3 rest;   // height below zero
+    Vec3 shift;  // from the point to the particle
+    Mat3 placeFromRest;
+    Vec3 velocity;
+    Mat3 velocityFromRest;
 };
+
+Mat3 symmetricWithoutTrace(double xx, double xy, double yy, double xz, double yz) {
+    return (Mat3() << xx, xy, xz, xy, yy, yz, xz, yz, -xx - yy).finished();
+}
 
 DeepParticle deepParticle(const std::vector<WaveLanes>& waves, double time, const Vec3& rest,
                           const Vec3& point) {
+    using Pair = Eigen::Array2d;  // two lanes at a time, as for trochoids
     Lanes sine, cosine;
-    Lanes x = Lanes::Zero(), y = x, z = x, xx = x, xy = x, yy = x, xz = x, yz = x, u = x, v = x, w = x;
-    for (const WaveLanes& eight : waves) {
-        eight.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
-        const Lanes decay = (eight.wavenumber * rest.z()).exp();
+    Pair x = Pair::Zero(), y = x, z = x, xx = x, xy = x, yy = x, xz = x, yz = x;
+    Pair u = x, v = x, w = x, ux = x, uy = x, vy = x, uz = x, vz = x;
+    for (const WaveLanes& group : waves) {
+        group.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
+        const Lanes decay = expOf<laneCount>(group.wavenumber * rest.z());
         sine *= decay;
         cosine *= decay;
-        x -= eight.amplitudeX * sine;
-        y -= eight.amplitudeY * sine;
-        z += eight.amplitude * cosine;
-        xx += eight.amplitudeX * eight.wavenumberX * cosine;
-        xy += eight.amplitudeX * eight.wavenumberY * cosine;
-        yy += eight.amplitudeY * eight.wavenumberY * cosine;
-        xz += eight.amplitude * eight.wavenumberX * sine;
-        yz += eight.amplitude * eight.wavenumberY * sine;
-        u += eight.amplitudeX * eight.frequency * cosine;
-        v += eight.amplitudeY * eight.frequency * cosine;
-        w += eight.amplitude * eight.frequency * sine;
-    }
-    DeepParticle result;
-    result.rest = rest;
-    result.shift = rest + Vec3(x.sum(), y.sum(), z.sum()) - point;
-    const double upX = -xz.sum(), upY = -yz.sum(), plane = -xy.sum();
-    result.placeFromRest << 1 - xx.sum(), plane, upX,  //
-        plane, 1 - yy.sum(), upY,                      //
-        upX, upY, 1 + xx.sum() + yy.sum();
-    result.velocity = {u.sum(), v.sum(), w.sum()};
-    return result;
-}
-
-/// Newton's method, with the step halved while it does not come nearer. The derivative is symmetric and
-/// positive definite, as at the surface.
-DeepParticle findParticle(const std::vector<WaveLanes>& waves, double time, const Vec3& start,
-                          const Vec3& point) {
-    DeepParticle best = deepParticle(waves, time, start, point);
-    Vec3 step = -best.placeFromRest.inverse() * best.shift;
-    for (int look = 1; look < 50 && best.shift.squaredNorm() > 1e-20; ++look) {
-        Vec3 rest = best.rest + step;
-        rest.z() = std::min(rest.z(), 0.0);
-        const DeepParticle next = deepParticle(waves, time, rest, point);
-        if (next.shift.squaredNorm() < best.shift.squaredNorm()) {
-            best = next;
-            step = -best.placeFromRest.inverse() * best.shift;
-        } else {
-            step /= 2;
+        for (int lane = 0; lane < laneCount; lane += 2) {
+            const Pair kx = group.wavenumberX.segment<2>(lane), ky = group.wavenumberY.segment<2>(lane);
+            const Pair ax = group.amplitudeX.segment<2>(lane), ay = group.amplitudeY.segment<2>(lane);
+            const Pair frequency = group.frequency.segment<2>(lane), a = group.amplitude.segment<2>(lane);
+            const Pair s = sine.segment<2>(lane), c = cosine.segment<2>(lane), up = a * c, back = a * s;
+            const Pair backX = ax * s, backY = ay * s, upX = ax * c, upY = ay * c;
+            x -= backX;
+            y -= backY;
+            z += up;
+            xx -= kx * upX;
+            xy -= ky * upX;
+            yy -= ky * upY;
+            xz -= kx * back;
+            yz -= ky * back;
+            u += frequency * upX;
+            v += frequency * upY;
+            w += frequency * back;
+            const Pair rateX = frequency * kx, rateY = frequency * ky;
+            ux -= rateX * backX;
+            uy -= rateY * backX;
+            vy -= rateY * backY;
+            uz += rateX * up;
+            vz += rateY * up;
         }
     }
-    return best;
+    return {rest, rest + Vec3(x.sum(), y.sum(), z.sum()) - point,
+            Mat3::Identity() + symmetricWithoutTrace(xx.sum(), xy.sum(), yy.sum(), xz.sum(), yz.sum()),
+            Vec3(u.sum(), v.sum(), w.sum()),
+            symmetricWithoutTrace(ux.sum(), uy.sum(), vy.sum(), uz.sum(), vz.sum())};
+}
+
+/// Where the particle at a point `depth` (m) below that of the surface may rest: orbits shrink as those of
+/// waves of one wavenumber do, but for what their derivative at the surface tells.
+Vec3 restBelow(const Trochoid& top, const Vec3& point, double depth, double wavenumber) {
+    Vec3 orbit, orbitGrows;
+    orbit << point.head<2>() - top.rest, top.elevation;
+    orbitGrows << top.gradient, top.squeeze[0] + top.squeeze[2];
+    return point - std::exp(-wavenumber * depth) * (orbit - depth * (orbitGrows - wavenumber * orbit));
+}
+
+/// Of the particle at the point, by Newton's method, with the step halved while it does not come nearer,
+/// until it is no farther than `reach` (m): the velocity's derivative tells the rest. That of the place is
+/// symmetric and positive definite, as at the surface.
+Vec3 velocityAt(const std::vector<WaveLanes>& waves, double time, const Vec3& start, const Vec3& point,
+                double reach) {
+    const auto look = [&](Vec3 rest) {
+        rest.z() = std::min(rest.z(), 0.0);
+        return deepParticle(waves, time, rest, point);
+    };
+    DeepParticle best = look(start);
+    Vec3 step = -best.placeFromRest.inverse() * best.shift;
+    bool fresh = true;
+    for (int looks = 1; looks < 50 && !(fresh && step.squaredNorm() <= reach * reach); ++looks) {
+        const DeepParticle next = look(best.rest + step);
+        fresh = next.shift.squaredNorm() < best.shift.squaredNorm();
+        if (fresh) best = next;
+        step = fresh ? Vec3(-best.placeFromRest.inverse() * best.shift) : Vec3(step / 2);
+    }
+    return best.velocity + best.velocityFromRest * step;
 }
 
 }  // namespace
@@ -108,7 +137,8 @@ GerstnerWaves::GerstnerWaves(const WaterFrame& frame, const GerstnerWavesDef& de
     m_lanes = waveLanes(components);
     m_bounds = boundsOf(components);
     m_steepness = waveMoment(components, 1);
-    m_reach = std::sqrt(slopeTolerance / m_bounds.curvatureChange);
+    m_reach = std::sqrt(slopeTolerance / std::max(m_bounds.curvatureChange, m_bounds.curvatureChangeGrowth));
+    setReachOfVelocity(components);
     for (const WaveComponent& wave : components)
         m_meanLevel -= wave.amplitude * wave.amplitude * wave.wavenumber / 2;
 }
@@ -121,32 +151,43 @@ void GerstnerWaves::sampleSurface(HorizontalPoints points, double time, SurfaceS
     }
 }
 
-/// The second derivatives are P^T Q P with P the derivative of the resting place by the place and Q the sum
-/// of -amplitude k k^T (cos(theta) + (slope . k / |k|) sin(theta)).
+/// The third derivative is that at a particle, which is no farther than twice `m_reach`.
 void GerstnerWaves::expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const {
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
-        const Trochoid at = findTrochoid(m_lanes, time, {points(row, 0), points(row, 1)}, bendReach);
+        const Trochoid at = findBentTrochoid(m_lanes, time, {points(row, 0), points(row, 1)}, m_reach);
         const Vec2 slope = at.slope();
-        const Vec3 q = -at.sag - at.bend.head<3>() * slope.x() - at.bend.tail<3>() * slope.y();
-        Eigen::Matrix2d bend;
-        bend << q[0], q[1], q[1], q[2];
-        const Eigen::Matrix2d restFromPlace = at.restFromPlace();
-        bend = restFromPlace.transpose() * bend * restFromPlace;
-        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend(0, 0), bend(0, 1), bend(1, 1),
-            m_bounds.curvatureChange;
+        const SurfaceBend bend = surfaceBend(at);
+        const double third = bend.third + 2 * m_reach * m_bounds.curvatureChangeGrowth;
+        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend.second(0, 0), bend.second(0, 1),
+            bend.second(1, 1), std::min(third, m_bounds.curvatureChange);
     }
 }
 
 void GerstnerWaves::sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const {
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
-        const Vec3 point(points(row, 0), points(row, 1), points(row, 2));
-        const Trochoid top = findTrochoid(m_lanes, time, point.head<2>(), m_reach);
-        const double depth = std::max(top.elevation - point.z(), 0.0);
-        const Vec3 start(top.rest.x(), top.rest.y(), -depth);
-        const DeepParticle particle = depth == 0 ? deepParticle(m_lanes, time, start, point)
-                                                 : findParticle(m_lanes, time, start, point);
-        velocities.row(row) = particle.velocity.transpose().array();
+        Vec3 point(points(row, 0), points(row, 1), points(row, 2));
+        const Trochoid top = findTrochoid(m_lanes, time, point.head<2>(), m_reachFromTop);
+        point.z() = std::min(point.z(), top.elevation);
+        const Vec3 start = restBelow(top, point, top.elevation - point.z(), m_meanWavenumber);
+        velocities.row(row) = velocityAt(m_lanes, time, start, point, m_reachUnder).transpose().array();
     }
+}
+
+/// Half of the tolerance is for what the velocity's derivative does not tell, and for what Newton's last step
+/// misses; half for the height of the surface, to which points above it are lowered.
+void GerstnerWaves::setReachOfVelocity(const std::vector<WaveComponent>& components) {
+    double speed = 0, change = 0, bend = 0;  // sums of the orbits' speeds and of their derivatives
+    for (const WaveComponent& wave : components) {
+        const double ofWave = wave.amplitude * wave.frequency;
+        speed += ofWave;
+        change += ofWave * wave.wavenumber;
+        bend += ofWave * wave.wavenumber * wave.wavenumber;
+    }
+    if (speed == 0) return;
+    const double allowed = velocityTolerance * speed / 2, j = 1 / (1 - m_steepness);
+    m_reachUnder = std::sqrt(2 * allowed / (bend + j * change * waveMoment(components, 2)));
+    m_reachFromTop = std::cbrt(6 * allowed / (change * m_bounds.curvatureChange));
+    m_meanWavenumber = m_steepness / m_bounds.elevation;
 }
 
 }  // namespace bullet_buoyancy

@@ -33,17 +33,24 @@ public:
 
     WaterBounds bounds() const override { return m_bounds; }
 
-    /// Heights are right to 1e-9 m, slopes to 1e-8.
+    /// Heights are right to 1e-9 m, slopes to 1e-8, second derivatives to 1e-8 1/m.
     void sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const override;
     void expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const override;
+
+    /// Right to 1e-4 of the sum of amplitude * frequency.
     void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;
 
 private:
+    void setReachOfVelocity(const std::vector<WaveComponent>& components);
+
     std::vector<WaveLanes> m_lanes;
     WaterStatus m_status;
     double m_steepness = 0;
     double m_meanLevel = 0;
-    double m_reach = 0;  // of one look at the surface, m
+    // How far a look at a particle tells, m: of the surface; of the velocity, from one under the surface; and
+    // where to look for that, from one of the surface.
+    double m_reach = 0, m_reachUnder = 0, m_reachFromTop = 0;
+    double m_meanWavenumber = 0;  // 1/m
     WaterBounds m_bounds;
 };
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "bullet_buoyancy/water/third_derivative.h"
+
 namespace bullet_buoyancy {
 
 namespace {
@@ -20,6 +22,12 @@ Eigen::Matrix2d placeFromRest(const Trochoid& at) {
     return symmetric(1 - at.squeeze[0], -at.squeeze[1], 1 - at.squeeze[2]);
 }
 
+/// A symmetric form of three vectors with one of them put in: that of the other two.
+Eigen::Matrix2d along(const Eigen::Vector4d& cubic, const Vec2& vector) {
+    const Vec3 form = cubic.head<3>() * vector.x() + cubic.tail<3>() * vector.y();
+    return symmetric(form[0], form[1], form[2]);
+}
+
 Vec2 solve(const Eigen::Matrix2d& matrix, const Vec2& right) {
     return matrix.inverse() * right;
 }
@@ -34,9 +42,7 @@ Vec2 firstOrderStep(const Trochoid& at) {
 Vec2 secondOrderStep(const Trochoid& at) {
     const Vec2 newton = firstOrderStep(at), half = newton / 2;
     const Eigen::Matrix2d derivative = placeFromRest(at);
-    const Eigen::Matrix2d inMiddle = derivative + symmetric(at.bend[0] * half.x() + at.bend[1] * half.y(),
-                                                            at.bend[1] * half.x() + at.bend[2] * half.y(),
-                                                            at.bend[2] * half.x() + at.bend[3] * half.y());
+    const Eigen::Matrix2d inMiddle = derivative + along(at.bend, half);
     const bool tame = inMiddle.trace() > 0 && inMiddle.determinant() > 0.25 * derivative.determinant();
     return tame ? Vec2(-solve(inMiddle, at.shift)) : newton;
 }
@@ -49,16 +55,21 @@ Trochoid moved(Trochoid at, const Vec2& step) {
     at.elevation += at.gradient.dot(step) - step.dot(sag * step) / 2;
     at.gradient -= sag * step;
     at.squeeze -= at.bend.head<3>() * step.x() + at.bend.tail<3>() * step.y();
+    at.sag -= at.sagFalls.head<3>() * step.x() + at.sagFalls.tail<3>() * step.y();
+    at.bend += at.bendRises.head<4>() * step.x() + at.bendRises.tail<4>() * step.y();
     return at;
 }
 
-/// The particle that rests at `rest`, seen from `place`.
+/// The particle that rests at `rest`, seen from `place`; with its third derivatives or with zeros for them.
+template <bool withThird>
 Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2& rest, const Vec2& place) {
     // Two lanes at a time: their sums nearly fit into the registers of any machine with vectors.
     using Pair = Eigen::Array2d;
     Lanes sine, cosine;
     Pair x = Pair::Zero(), y = x, z = x, dx = x, dy = x, xx = x, xy = x, yy = x;
     Pair sagXX = x, sagXY = x, sagYY = x, xxx = x, xxy = x, xyy = x, yyy = x;
+    Pair fallsXXX = x, fallsXXY = x, fallsXYY = x, fallsYYY = x;
+    Pair xxxx = x, xxxy = x, xxyy = x, xyyy = x, yyyy = x;
     for (const WaveLanes& group : waves) {
         group.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
         for (int lane = 0; lane < laneCount; lane += 2) {
@@ -67,8 +78,9 @@ Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2
             const Pair s = sine.segment<2>(lane), c = cosine.segment<2>(lane);
             const Pair a = group.amplitude.segment<2>(lane), height = a * s;
             z += a * c;
-            dx -= kx * height;
-            dy -= ky * height;
+            const Pair steepX = kx * height, steepY = ky * height;
+            dx -= steepX;
+            dy -= steepY;
             const Pair sagX = kx * a * c, sagY = ky * a * c;
             sagXX += kx * sagX;
             sagXY += ky * sagX;
@@ -76,14 +88,27 @@ Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2
             const Pair alongX = ax * c, alongY = ay * c, shiftX = ax * s, shiftY = ay * s;
             x += shiftX;
             y += shiftY;
-            xx += kx * alongX;
+            const Pair squeezeX = kx * alongX, squeezeY = ky * alongY;
+            xx += squeezeX;
             xy += ky * alongX;
-            yy += ky * alongY;
+            yy += squeezeY;
             const Pair bendX = kx * shiftX, bendY = ky * shiftY;
             xxx += kx * bendX;
             xxy += ky * bendX;
             xyy += kx * bendY;
             yyy += ky * bendY;
+            if constexpr (withThird) {
+                const Pair kxx = kx * kx, kxy = kx * ky, kyy = ky * ky;
+                fallsXXX += kxx * steepX;
+                fallsXXY += kxy * steepX;
+                fallsXYY += kxy * steepY;
+                fallsYYY += kyy * steepY;
+                xxxx += kxx * squeezeX;
+                xxxy += kxy * squeezeX;
+                xxyy += kyy * squeezeX;
+                xyyy += kxy * squeezeY;
+                yyyy += kyy * squeezeY;
+            }
         }
     }
     Trochoid result;
@@ -94,7 +119,34 @@ Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2
     result.sag = {sagXX.sum(), sagXY.sum(), sagYY.sum()};
     result.squeeze = {xx.sum(), xy.sum(), yy.sum()};
     result.bend = {xxx.sum(), xxy.sum(), xyy.sum(), yyy.sum()};
+    result.sagFalls = {fallsXXX.sum(), fallsXXY.sum(), fallsXYY.sum(), fallsYYY.sum()};
+    result.bendRises << xxxx.sum(), xxxy.sum(), xxyy.sum(), xyyy.sum(), yyyy.sum();
     return result;
+}
+
+/// The last look at least has third derivatives if they are wanted: the first one, which begins far off, has
+/// none.
+template <bool withThird>
+Trochoid find(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
+    const double near = placeTolerance + 1e-15 * place.norm();
+    Trochoid best = trochoidAt<false>(waves, time, place, place);
+    Vec2 step = secondOrderStep(best);
+    bool fresh = true, complete = !withThird;
+    for (int look = 1; look < mostLooks; ++look) {
+        const bool arrived = step.squaredNorm() <= reach * reach || best.shift.squaredNorm() <= near * near;
+        if (fresh && complete && arrived) break;
+        const Trochoid next = trochoidAt<withThird>(waves, time, best.rest + step, place);
+        if (!complete || next.shift.squaredNorm() < best.shift.squaredNorm()) {
+            best = next;
+            step = secondOrderStep(best);
+            fresh = complete = true;
+        } else {
+            // Some part of Newton's step always comes nearer.
+            step = fresh ? Vec2(firstOrderStep(best) / 2) : Vec2(step / 2);
+            fresh = false;
+        }
+    }
+    return moved(best, step);
 }
 
 }  // namespace
@@ -107,25 +159,32 @@ Vec2 Trochoid::slope() const {
     return restFromPlace() * gradient;
 }
 
+/// Along a line of resting places a(t) whose places are a straight line of unit direction d: a' = P d with P
+/// the derivative of the resting place by the place, and a" = -P X"[a', a']. With the slope m the elevation's
+/// derivatives are Q[a', a'] and C[a', a', a'] + 3 Q[a', a"], where Q = Z" - m . X" and C = Z"' - m . X"' are
+/// made of those of place X and elevation Z by the resting place.
+SurfaceBend surfaceBend(const Trochoid& at) {
+    const Eigen::Matrix2d restFromPlace = at.restFromPlace();
+    const Vec2 slope = restFromPlace * at.gradient, x = restFromPlace.col(0), y = restFromPlace.col(1);
+    const Eigen::Matrix2d q = -symmetric(at.sag[0], at.sag[1], at.sag[2]) - along(at.bend, slope);
+    const Eigen::Vector4d c =
+        at.sagFalls - at.bendRises.head<4>() * slope.x() - at.bendRises.tail<4>() * slope.y();
+    const Vec2 qx = q * x, qy = q * y;
+    const Eigen::Matrix2d cx = along(c, x), cy = along(c, y), bendX = restFromPlace * along(at.bend, x),
+                          bendY = restFromPlace * along(at.bend, y);
+    const double xxx = x.dot(cx * x) - 3 * qx.dot(bendX * x);
+    const double xxy = x.dot(cx * y) - qy.dot(bendX * x) - 2 * qx.dot(bendX * y);
+    const double xyy = y.dot(cy * x) - qx.dot(bendY * y) - 2 * qy.dot(bendX * y);
+    const double yyy = y.dot(cy * y) - 3 * qy.dot(bendY * y);
+    return {symmetric(x.dot(qx), x.dot(qy), y.dot(qy)), largestThirdDerivative(xxx, xxy, xyy, yyy)};
+}
+
 Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
-    const double near = placeTolerance + 1e-15 * place.norm();
-    Trochoid best = trochoidAt(waves, time, place, place);
-    Vec2 step = secondOrderStep(best);
-    bool fresh = true;
-    for (int look = 1; look < mostLooks; ++look) {
-        if (fresh && (step.squaredNorm() <= reach * reach || best.shift.squaredNorm() <= near * near)) break;
-        const Trochoid next = trochoidAt(waves, time, best.rest + step, place);
-        if (next.shift.squaredNorm() < best.shift.squaredNorm()) {
-            best = next;
-            step = secondOrderStep(best);
-            fresh = true;
-        } else {
-            // Some part of Newton's step always comes nearer.
-            step = fresh ? Vec2(firstOrderStep(best) / 2) : Vec2(step / 2);
-            fresh = false;
-        }
-    }
-    return moved(best, step);
+    return find<false>(waves, time, place, reach);
+}
+
+Trochoid findBentTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
+    return find<true>(waves, time, place, reach);
 }
 
 }  // namespace bullet_buoyancy

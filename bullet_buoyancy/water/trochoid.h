@@ -8,7 +8,7 @@
 namespace bullet_buoyancy {
 
 /// Where a particle of the surface of trochoidal waves is, and the derivatives of that by where it rests.
-/// Symmetric ones have the entries xx, xy, yy, or xxx, xxy, xyy, yyy.
+/// Symmetric ones have the entries xx, xy, yy, or xxx, xxy, xyy, yyy, and so on.
 struct Trochoid {
     Vec2 rest = Vec2::Zero();      ///< m
     Vec2 shift = Vec2::Zero();     ///< from the wanted place to where the particle is, m
@@ -19,6 +19,9 @@ struct Trochoid {
     Vec3 squeeze = Vec3::Zero();
     Eigen::Vector4d bend = Eigen::Vector4d::Zero();  ///< second derivatives of the place by `rest`, 1/m
 
+    Eigen::Vector4d sagFalls = Eigen::Vector4d::Zero();  ///< minus those of `sag`, 1/m^2
+    Eigen::Matrix<double, 5, 1> bendRises = Eigen::Matrix<double, 5, 1>::Zero();  ///< those of `bend`, 1/m^2
+
     /// Slopes of the surface.
     Vec2 slope() const;
 
@@ -26,11 +29,23 @@ struct Trochoid {
     Eigen::Matrix2d restFromPlace() const;
 };
 
+/// Second derivatives of the surface's elevation by the place, 1/m, and the bound of the third one along any
+/// direction, 1/m^2.
+struct SurfaceBend {
+    Eigen::Matrix2d second;
+    double third;
+};
+
+SurfaceBend surfaceBend(const Trochoid& at);
+
 /// The particle which is at `place`. The waves' steepness must be below 1: then there is exactly one, for the
 /// derivative of the place is symmetric and positive definite.
 ///
-/// It is not looked at again if it is nearer than `reach` (m) to one that was: from there on, second
-/// derivatives tell.
+/// It is not looked at again if it is nearer than `reach` (m) to one that was: from there on that one's
+/// derivatives tell, the highest taken over unchanged.
 Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
+
+/// The same with third derivatives by `rest`: `sagFalls` and `bendRises`, which are zero else.
+Trochoid findBentTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
 
 }  // namespace bullet_buoyancy

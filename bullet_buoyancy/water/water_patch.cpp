@@ -39,10 +39,12 @@ Mat3 symmetric(double xx, double xy, double yy, double xz, double yz, double zz)
     return m;
 }
 
-/// In the water's frame.
-Quadratic depthOf(const SurfaceRow& surface, double z) {
-    return {surface[0] - z, Vec3(surface[1], surface[2], -1),
-            symmetric(surface[3], surface[4], surface[5], 0, 0, 0)};
+/// In the body's frame; z in the water's.
+Quadratic depthOf(const SurfaceRow& surface, double z, const Mat3& bodyFromFrame) {
+    const Vec3 x = bodyFromFrame.col(0), y = bodyFromFrame.col(1), up = bodyFromFrame.col(2);
+    const Vec3 bendX = surface[3] * x + surface[4] * y, bendY = surface[4] * x + surface[5] * y;
+    return {surface[0] - z, surface[1] * x + surface[2] * y - up,
+            bendX * x.transpose() + bendY * y.transpose()};
 }
 
 /// -z + f(x, y, z - elevation) by the chain rule, in the water's frame.
@@ -111,7 +113,7 @@ void WaterPatch::setErrors(const WaterView& water, const CellPoints& points, con
     if (std::isfinite(water.bounds.curvatureChange) && m_pressure == PressureModel::waveDynamic)
         return setErrorsOfWaveHead(water, points, surfaces);
     const WaterBounds& bounds = water.bounds;
-    ExpansionError anywhere;
+    ExpansionError anywhere{0, 0, 0};
     if (!std::isfinite(bounds.curvatureChange))
         anywhere.second = headBend(water) / 2;
     else
@@ -183,7 +185,7 @@ WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double reach)
     setErrors(water, points, surfaces);
     for (int i = 0; i < count; ++i) {
         WaterExpansion& cell = m_expansions[std::size_t(i)];
-        cell.head = cell.depth = turned(depthOf(surfaces.row(i), points(i, 2)), bodyFromFrame);
+        cell.head = cell.depth = depthOf(surfaces.row(i), points(i, 2), bodyFromFrame);
     }
     if (m_pressure == PressureModel::hydrostatic) return;
 

@@ -41,7 +41,7 @@ struct BodyBox {
 /// How far an expansion may stray from the true depth and head, m, at a distance from its centre: a
 /// polynomial without its first terms.
 struct ExpansionError {
-    double second = 0, third = 0, fourth = 0;  ///< coefficients of the distance's powers
+    double second, third, fourth;  ///< coefficients of the distance's powers
 
     double at(double distanceSquared) const {
         const double fromThird = third > 0 || fourth > 0 ? distanceSquared * std::sqrt(distanceSquared) : 0;

@@ -11,6 +11,7 @@
 #include "support/edit_mesh.h"
 #include "support/known_solids.h"
 #include "support/near.h"
+#include "support/random_cases.h"
 
 namespace bullet_buoyancy::test {
 namespace {
@@ -88,6 +89,39 @@ TEST(MakeHull, BoundsHoldEverything) {
         for (const SolidOfRevolution& solid : hull->solids)
             for (const Vec3& point : tessellate(solid, 200).vertices)
                 EXPECT_LE((point - bounds.centre).norm(), reach) << name;
+    }
+}
+
+/// Half of the integral of |n.direction|.
+double shadowOf(const TriangleMesh& mesh, const Vec3& direction) {
+    double shadow = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+        shadow += std::abs((b - a).cross(c - a).dot(direction)) / 4;
+    }
+    return shadow;
+}
+
+TEST(MakeHull, BoundsShadowsFromAbove) {
+    Random random(4);
+    const auto box = hullOf(boxMesh({1, 2, 3}, {5, 6, 7}));
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 direction = random.direction();
+        // A box's faces are two to an axis: 6, 3 and 2 m^2.
+        EXPECT_NEAR(box->surface.shadowAlong(direction), Vec3(6, 3, 2).dot(direction.cwiseAbs()), rounding);
+        for (const NamedHull& named : polyhedra()) {
+            const double shadow = named.hull->surface.shadowAlong(direction);
+            EXPECT_GE(shadow, (1 - rounding) * shadowOf(named.hull->mesh, direction)) << named.name;
+        }
+        // The meshes that measure curved parts lie inside, by less than a hundredth.
+        for (const NamedHull& named : smoothSolids()) {
+            double shadow = 0;
+            for (const Sphere& sphere : named.hull->spheres)
+                shadow += shadowOf(tessellate(sphere, 5), direction);
+            for (const SolidOfRevolution& solid : named.hull->solids)
+                shadow += shadowOf(tessellate(solid, 192), direction);
+            EXPECT_GE(1.01 * named.hull->surface.shadowAlong(direction), shadow) << named.name;
+        }
     }
 }
 

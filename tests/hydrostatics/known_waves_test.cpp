@@ -337,6 +337,38 @@ TEST(KnownWaves, AFinerMeshAsksTheWaterNoMoreOften) {
     EXPECT_LE(many, 1.5 * few);
 }
 
+/// Over a square of half width h the elevation c (x^2 + y^2) / 2 ranges from 0 to c h^2 and has a mean of
+/// c h^2 / 3: a plane in the middle of its range is off by c h^2 / 2 at most, c h^2 / 6 on the mean.
+TEST(KnownWaves, AnUprightBoxInABowlOfWaterIsOffByAThirdOfItsBound) {
+    const double curvature = 0.02, halfWidth = 0.5, area = 1;
+    const QuadraticWater water(0.1, Vec2::Zero(), Vec2::Constant(curvature));
+    const auto hull = hullOf(boxMesh({1, 1, 1}));
+    const HydrostaticResult result = evaluateExact(*hull, Pose(), water, at(0, 1e-2));
+    const double square = curvature * halfWidth * halfWidth;
+    const double lift = water.density() * standardGravity * area;
+    EXPECT_TRUE(isNear(result.forceWorld, lift * (0.6 + square / 2) * Vec3::UnitZ(), 1e-12 * lift));
+    // The slopes in the bowl add a force sideways on what is misplaced: 0.02 of it; round hulls a hundredth.
+    EXPECT_NEAR(result.forceErrorBound, lift * square / 2, 0.011 * lift * square / 2);
+    // Held to less than that bound, it is right.
+    const HydrostaticResult right = evaluateExact(*hull, Pose(), water, at(0, 1e-4));
+    EXPECT_NEAR(right.forceWorld.z(), lift * (0.6 + square / 3), 1e-12 * lift);
+}
+
+/// The pressure of a displacement in a bowl pushes sideways as the slope at its centre says, c times the
+/// offset from the bowl's middle.
+TEST(KnownWaves, ABoxIsPushedOffTheSideOfABowlOfWater) {
+    const double curvature = 0.01;
+    const QuadraticWater water(0, Vec2::Zero(), Vec2::Constant(curvature));
+    const auto hull = hullOf(boxMesh({1, 1, 1}, {0.3, 0, 0}));
+    const Pose pose{Vec3(2, 0, 0.02), Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vec3::UnitY()))};
+    const HydrostaticResult result = evaluateExact(*hull, pose, water, at(0, 1e-2));
+    const Vec3 centre = pose.position + result.centreOfBuoyancyFromCom;
+    EXPECT_EQ(result.waterSamples, 1);
+    EXPECT_NEAR(result.forceWorld.x(),
+                -water.density() * standardGravity * result.submergedVolume * curvature * centre.x(),
+                1e-9 * water.density() * standardGravity);
+}
+
 TEST(KnownWaves, ADryBodyTakesNoSampleWhateverTheSea) {
     Random random(36);
     for (std::size_t i = 0; i < 45; ++i) {
