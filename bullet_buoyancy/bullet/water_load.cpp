@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bullet_buoyancy/hydrodynamics/wet_rate.h"
-#include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
+#include "bullet_buoyancy/hydrostatics/evaluate.h"
 #include "bullet_buoyancy/motion/energy.h"
 
 namespace bullet_buoyancy {
@@ -23,7 +23,7 @@ Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double tim
 Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
     HydrostaticQuery query{m_water.gravity, m_time, m_water.settings.pressure, m_water.settings.tolerance};
     query.stiffness = stiffness != nullptr;
-    const HydrostaticResult pressure = evaluateExact(*m_def.hull, pose, m_water.field, query);
+    const HydrostaticResult pressure = evaluate(*m_def.hull, pose, m_water.field, query);
     m_samples += pressure.waterSamples;
     if (stiffness) *stiffness = *pressure.stiffness;
 

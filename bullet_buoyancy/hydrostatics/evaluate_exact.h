@@ -10,10 +10,10 @@ namespace bullet_buoyancy {
 ///
 /// In waves the surface and head about the hull are taken to second order in each cell of its box, as many
 /// cells as `query.tolerance` asks for, however fine the mesh: what the water tells of its derivatives
-/// (`WaterField`) bounds the error, `forceErrorBound`. Where waves are too short for the hull even so (256
-/// cells at most), the bound is above the tolerance. With a tolerance of 0 the water is sampled at every
-/// corner of every triangle and taken for linear in between. The stiffness leaves out the bend of the
-/// surface.
+/// (`WaterField`) bounds the error, `forceErrorBound`. Closed hulls for which a plane is near enough to the
+/// water are evaluated under that. Where waves are too short for the hull even so (256 cells at most), the
+/// bound is above the tolerance. With a tolerance of 0 the water is sampled at every corner of every triangle
+/// and taken for linear in between. The stiffness leaves out the bend of the surface.
 ///
 /// Works in the body's frame, so that distance from the world's origin costs no accuracy. A hull that is
 /// wholly dry costs constant time, and so does one that lies wholly under water, but for open edges and waves

@@ -5,9 +5,9 @@
 
 namespace bullet_buoyancy {
 
-/// Adds what water does to a hull whose surface about it is a plane, square to which pressure grows with
-/// depth: constant time for a hull that is wholly dry, or wholly wet without open edges. An open mesh is
-/// always summed up one by one.
+/// Adds what water under a plane, level or tilted, does to a hull: its head is the distance from the plane. A
+/// hull that is wholly dry costs constant time, and so does one wholly under water, but for open edges. An
+/// open mesh is always summed up one by one.
 void addHullUnderPlane(const Hull& hull, const WaterPlane& plane, MeshSum sum, const HydrostaticQuery& query,
                        WetIntegrals& integrals);
 
