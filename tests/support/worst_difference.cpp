@@ -5,22 +5,10 @@
 #include "support/compare_results.h"
 #include "support/random_cases.h"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define BUOYANCY_TEST_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define BUOYANCY_TEST_SANITIZED
-#endif
-#endif
-
 namespace bullet_buoyancy::test {
 
 int posesAHull() {
-#ifdef BUOYANCY_TEST_SANITIZED
-    return 1000;
-#else
-    return 10000;
-#endif
+    return BUOYANCY_TEST_POSES;
 }
 
 WorstDifference worstDifference(const Hull& hull, const WaterField& water, const Vec3& placeInFrame,

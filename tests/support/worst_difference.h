@@ -5,7 +5,7 @@
 
 namespace bullet_buoyancy::test {
 
-/// Random poses a hull is put into; a tenth of them under sanitizers, which are ten times slower.
+/// Random poses a hull is put into: the build's BULLET_BUOYANCY_TEST_POSES.
 int posesAHull();
 
 /// Largest difference of two evaluators.
