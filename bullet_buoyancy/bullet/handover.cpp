@@ -16,6 +16,7 @@ constexpr double rounding = std::numeric_limits<btScalar>::epsilon();
 
 /// Square of twice the sine of half the angle between two orientations, rad^2 where it is small.
 double squaredAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+    if (a.coeffs() == b.coeffs()) return 0;
     return 4 * (a.conjugate() * b).vec().squaredNorm();
 }
 
@@ -34,6 +35,19 @@ Vec3 correction(const Vec3& ours, const Vec3& bullets) {
 Vec3 stopped(const Vec3& correction, const Vec3& change) {
     const double square = correction.squaredNorm(), taken = -change.dot(correction);
     return taken > 0 ? Vec3(std::min(1.0, taken / square) * correction) : Vec3::Zero();
+}
+
+/// Bullet's pose, with the orientation that is meant if that is what it rounds to: the usual case is a quick
+/// one.
+Pose poseNear(const Pose& target, const btTransform& transform) {
+    const Mat3 axes = target.orientation.toRotationMatrix();
+    double difference = 0;
+    for (int row = 0; row < 3; ++row)
+        difference =
+            std::max(difference,
+                     (toEigen(transform.getBasis()[row]) - axes.row(row).transpose()).cwiseAbs().maxCoeff());
+    if (!(difference <= 4 * rounding)) return toPose(transform);
+    return {toEigen(transform.getOrigin()), target.orientation};
 }
 
 Vec3 gravityStep(const btRigidBody& body, double dt) {
@@ -69,7 +83,7 @@ void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning
 }
 
 Return Handover::take(const btRigidBody& body, const Pose& target, double dt, bool gravityActed) {
-    m_pose = toPose(body.getWorldTransform());
+    m_pose = poseNear(target, body.getWorldTransform());
     m_disturbance.velocityChange = velocityChange(body, dt, gravityActed);
     m_disturbance.spinChange = toEigen(body.getAngularVelocity() - m_spin);
     m_disturbance.turnedByHand = false;
