@@ -29,7 +29,8 @@ struct Modelled {
     bool angularMomentum = false;  ///< the spin follows from it; false: the body cannot turn freely
 };
 
-/// What the water does to a body, at the pose at the end of the last substep that it took part in.
+/// What the water does to a body, at the pose at the end of the last substep that it took part in; zeros
+/// before the first, and where a step was not finite.
 struct BodyReport {
     BodyState state = BodyState::notAdded;
     Modelled modelled;

@@ -20,8 +20,10 @@ void BorrowedSettings::borrow(btRigidBody& body) {
     }
     if (angular != 0) m_angularDamping = angular;
     if (linear != 0 || angular != 0) body.setDamping(0, 0);
-    m_gyroscopicFlags |= body.getFlags() & gyroscopicFlags;
-    body.setFlags(body.getFlags() & ~gyroscopicFlags);
+    if (const int flags = body.getFlags() & gyroscopicFlags) {
+        m_gyroscopicFlags |= flags;
+        body.setFlags(body.getFlags() & ~gyroscopicFlags);
+    }
 }
 
 void BorrowedSettings::giveBack(btRigidBody& body) const {

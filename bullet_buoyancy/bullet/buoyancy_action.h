@@ -32,6 +32,9 @@ namespace bullet_buoyancy {
 /// must be removed from the action before it is deleted. The water must outlive the action. Deleting the
 /// action gives nothing back, since the bodies may be gone by then: call `removeAllBodies` where it matters.
 /// One world an action, and one action a body.
+///
+/// Where a task scheduler was given to Bullet (`btSetTaskScheduler`) many bodies are stepped in parallel,
+/// with the same results for any number of threads. A step allocates nothing.
 class BuoyancyAction : public btActionInterface {
 public:
     explicit BuoyancyAction(const WaterField& water, const BuoyancySettings& settings = {});
@@ -49,9 +52,9 @@ public:
 
     void removeAllBodies();
 
-    /// What happened to the body in the last substep; valid until bodies are added or removed. For a body
-    /// that the action does not know, a report in the state `notAdded`.
-    const BodyReport& report(const btRigidBody& body) const;
+    /// What happened to the body in the last substep. For a body that the action does not know, a report in
+    /// the state `notAdded`.
+    BodyReport report(const btRigidBody& body) const;
 
     std::size_t bodyCount() const { return m_bodies.size(); }
 

@@ -2,6 +2,8 @@
 
 #include <LinearMath/btTransform.h>
 
+#include <cmath>
+
 #include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/core/pose.h"
 
@@ -21,7 +23,12 @@ inline Pose toPose(const btTransform& transform) {
     Mat3 basis;
     for (int row = 0; row < 3; ++row)
         basis.row(row) = toEigen(transform.getBasis()[row]).transpose();
-    return {toEigen(transform.getOrigin()), Eigen::Quaterniond(basis).normalized()};
+    Eigen::Quaterniond orientation(basis);
+    const double excess = orientation.squaredNorm() - 1;
+    constexpr double seriesEnds = 1e-5;  // beyond, its terms that are left out pass rounding
+    orientation.coeffs() *=
+        std::abs(excess) < seriesEnds ? 1 - excess * (0.5 - excess * 0.375) : 1 / std::sqrt(1 + excess);
+    return {toEigen(transform.getOrigin()), orientation};
 }
 
 inline btTransform toTransform(const Pose& pose) {

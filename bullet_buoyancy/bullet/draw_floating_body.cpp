@@ -74,7 +74,7 @@ void drawFloatingBody(btIDebugDraw& drawer, const FloatingBody& floating, const 
     for (const SolidOfRevolution& solid : hull.solids)
         drawWetMesh(drawer, tessellate(solid, solidSegments), pose, sea);
 
-    const BodyReport& report = floating.report();
+    const BodyReport report = floating.report(water.frame());
     const auto marker = btScalar(2 * hull.bounds.radius * markerShare);
     drawer.drawSphere(toBullet(pose.position), marker, massColour);
     if (report.wetFraction <= 0) return;

@@ -7,6 +7,7 @@
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/hydrostatics/stiffness_bound.h"
+#include "bullet_buoyancy/motion/energy.h"
 #include "bullet_buoyancy/motion/rest.h"
 
 namespace bullet_buoyancy {
@@ -86,12 +87,11 @@ BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
 FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
     : m_body(&body),
       m_def(def),
+      m_size(hull().bounds.centre.norm() + hull().bounds.radius),
       m_knownShape(body.getCollisionShape()),
       m_knownScaling(m_knownShape ? m_knownShape->getLocalScaling() : btVector3(1, 1, 1)) {
-    m_report.state = BodyState::notStepped;
     m_borrowed.borrow(body);
     m_lastSeenVelocity = toEigen(body.getLinearVelocity());
-    m_inertia.mass = 0;  // so that it has changed
     massHasChanged();
     body.activate();
 }
@@ -102,10 +102,8 @@ void FloatingBody::giveBack() {
 }
 
 void FloatingBody::skip(BodyState reason) {
-    m_report.state = reason;
-    m_report.evaluations = m_report.waterSamples = 0;
+    m_state = reason;
     m_lastSeenVelocity = toEigen(m_body->getLinearVelocity());
-    if (reason == BodyState::asleep) m_report.kineticEnergy = 0;
 }
 
 void FloatingBody::step(const WaterNow& water, double dt) {
@@ -115,19 +113,22 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     if (staysAsleep(water, reweighed)) return skip(BodyState::asleep);
 
     m_borrowed.borrow(*m_body);
-    m_report.waterSamples = 0;
-    const WaterLoad now(water, m_def, m_inertia.mass, toEigen(m_body->getGravity()),
-                        m_borrowed.linearDampingRate(), m_report.waterSamples);
-    StepperDef stepper{m_def.scheme, hull().bounds.centre.norm() + hull().bounds.radius, largestTurn,
+    m_waterSamples = 0;
+    m_gravity = toEigen(m_body->getGravity());
+    m_isPressed = water.gravity > 0;
+    const WaterLoad now(water, m_def, m_inertia.mass, m_gravity, m_borrowed.linearDampingRate(),
+                        m_waterSamples);
+    StepperDef stepper{m_def.scheme, m_size, largestTurn,
                        m_flexibility * water.field.density() * water.gravity};
     arrive(stepper, now, reweighed, dt);
     m_motion.settle(m_inertia, stepper, now, dt);
     stepper.turnLimit -= std::min(largestTurn, m_handover.lag(m_motion.motion().pose));
     m_motion.depart(m_inertia, stepper, now.after(dt), dt);
-    if (!isFinite(m_motion.departure())) return skip(BodyState::notFinite);
+    m_hasMotion = isFinite(m_motion.departure());
+    if (!m_hasMotion) return skip(BodyState::notFinite);
     m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.scheme), dt);
-    writeReport(water, now, dt);
-    if (m_report.wetFraction > 0 || isStirred(water)) keepAwakeUnlessAtRest(water);
+    m_state = stateOf(wetFraction(m_motion.load(), hull()));
+    if (m_state != BodyState::dry || isStirred(water)) keepAwakeUnlessAtRest(water);
 }
 
 /// Still water lets sleeping bodies lie; moving water wakes those it may reach, and so does a change of mass.
@@ -146,11 +147,21 @@ bool FloatingBody::isStirred(const WaterNow& water) const {
     return lowest <= water.bounds.elevation;
 }
 
-/// Since it was last asked; notes what follows from it.
+bool FloatingBody::isInertiaKnown() const {
+    return double(m_body->getInvMass()) == m_inverseMass &&
+           toEigen(m_body->getInvInertiaDiagLocal()) == m_inertia.inversePrincipal &&
+           toEigen(m_body->getLinearFactor()) == m_inertia.linearFactor &&
+           toEigen(m_body->getAngularFactor()) == m_inertia.angularFactor;
+}
+
+/// Since it was last asked; notes what follows from it. Factors may change without a change of mass.
 bool FloatingBody::massHasChanged() {
+    if (isInertiaKnown()) return false;
     const Inertia now = inertiaOf(*m_body);
-    const bool changed = now.mass != m_inertia.mass || now.inversePrincipal != m_inertia.inversePrincipal ||
+    const double inverseMass = double(m_body->getInvMass());
+    const bool changed = inverseMass != m_inverseMass || now.inversePrincipal != m_inertia.inversePrincipal ||
                          now.turnsFreely != m_inertia.turnsFreely;
+    m_inverseMass = inverseMass;
     m_inertia = now;
     if (changed) {
         const StiffnessBound bound = stiffnessBound(hull(), 1);
@@ -167,17 +178,18 @@ bool FloatingBody::shapeHasChanged() const {
 
 /// On the body, in the substep that has passed.
 bool FloatingBody::gravityActed() const {
-    const btVector3 weight = m_body->getGravity() * (m_body->getLinearFactor() / m_body->getInvMass());
-    return weight.isZero() || m_body->getTotalForce().dot(weight) > weight.length2() / 2;
+    const btVector3 gravity = m_body->getGravity() * m_body->getLinearFactor();
+    return gravity.isZero() ||
+           m_body->getTotalForce().dot(gravity) * m_body->getInvMass() > gravity.length2() / 2;
 }
 
 /// After a body has been woken in the middle of a stepSimulation, Bullet leaves gravity out for the rest of
 /// it.
 void FloatingBody::arrive(const StepperDef& stepper, const WaterLoad& now, bool reweighed, double dt) {
     const bool gravity = gravityActed();
-    m_wokenWithoutGravity = !gravity && (m_wokenWithoutGravity || m_report.state == BodyState::asleep);
-    const Return how = m_handover.take(*m_body, dt, !m_wokenWithoutGravity);
-    if (!wasStepped(m_report.state)) {
+    m_wokenWithoutGravity = !gravity && (m_wokenWithoutGravity || m_state == BodyState::asleep);
+    const Return how = m_handover.take(*m_body, m_motion.target(), dt, !m_wokenWithoutGravity);
+    if (!wasStepped(m_state)) {
         start(stepper, now, gravity, dt);
     } else if (reweighed) {
         Disturbance atItsSpin = m_handover.disturbance();
@@ -241,38 +253,49 @@ Motion FloatingBody::motionBefore(double dt) const {
 
 /// Bullet alone would let whatever is slower than 0.8 m/s fall asleep in the middle of a swing or a rise.
 void FloatingBody::keepAwakeUnlessAtRest(const WaterNow& water) {
-    const double length = 2 * hull().bounds.radius, inverseMass = 1 / m_inertia.mass;
-    const Load& load = m_motion.load();
-    const Unrest unrest{std::sqrt(2 * m_report.kineticEnergy * inverseMass),
-                        unbalanced(m_inertia.velocityChange(load.force).norm(), m_motion.linearRelief()),
-                        m_inertia.turnsFreely
-                            ? unbalanced(load.torque.norm(), m_motion.angularRelief()) * inverseMass / length
-                            : 0};
-    if (!water.bounds.still || !isAtRest(unrest, water.gravity, length)) m_body->activate();
+    if (!water.bounds.still || !isAtRest(water.gravity)) m_body->activate();
 }
 
-void FloatingBody::writeReport(const WaterNow& water, const WaterLoad& now, double dt) {
+bool FloatingBody::isAtRest(double gravity) const {
+    const double length = 2 * hull().bounds.radius;
+    const Load& load = m_motion.load();
+    const double speed = std::sqrt(2 * kineticEnergy(m_motion.motion(), m_inertia) * m_inverseMass);
+    const double angular = m_inertia.turnsFreely ? load.torque.norm() * m_inverseMass / length : 0;
+    const Unrest unrest{speed,
+                        unbalanced(m_inertia.velocityChange(load.force).norm(), m_motion.linearRelief()),
+                        unbalanced(angular, m_motion.angularRelief())};
+    return bullet_buoyancy::isAtRest(unrest, gravity, length);
+}
+
+BodyReport FloatingBody::report(const WaterFrame& frame) const {
+    BodyReport report;
+    report.state = m_state;
+    if (!m_hasMotion) return report;
     const Motion& motion = m_motion.motion();
     const Load& load = m_motion.load();
-    m_report.wetFraction = now.wetFraction(load);
-    m_report.state = stateOf(m_report.wetFraction);
-    m_report.modelled = {m_report.wetFraction > 0 && water.gravity > 0, load.dragRate > 0,
-                         load.dampingRate > 0, m_inertia.turnsFreely};
-    m_report.forceWorld = toBullet(load.force - now.weight());
-    m_report.forceErrorBound = load.forceErrorBound;
-    m_report.torqueAboutCom = toBullet(load.torque);
-    m_report.submergedVolume = load.displacement;
-    m_report.centreOfBuoyancyWorld = toBullet(motion.pose.position + load.centreFromCom);
-    m_report.velocity = toBullet(motion.velocity);
-    m_report.spin = toBullet(motion.spin);
-    m_report.angularMomentum = toBullet(motion.momentum);
-    m_report.kineticEnergy = kineticEnergy(motion, m_inertia);
-    m_report.gravitationalEnergy = now.gravitationalEnergyAt(motion.pose);
-    m_report.waterPotentialEnergy = load.potential - m_report.gravitationalEnergy;
-    m_report.energy = m_motion.ledger();
-    m_report.evaluations = m_motion.evaluations();
-    m_report.spinIsLimited = m_motion.departure().spin.norm() * dt > largestTurn;
-    m_report.shapeHasChanged = shapeHasChanged();
+    report.wetFraction = wetFraction(load, hull());
+    report.modelled = {report.wetFraction > 0 && m_isPressed, load.dragRate > 0, load.dampingRate > 0,
+                       m_inertia.turnsFreely};
+    report.forceWorld = toBullet(load.force - m_inertia.mass * m_gravity);
+    report.forceErrorBound = load.forceErrorBound;
+    report.torqueAboutCom = toBullet(load.torque);
+    report.submergedVolume = load.displacement;
+    report.centreOfBuoyancyWorld = toBullet(motion.pose.position + load.centreFromCom);
+    report.velocity = toBullet(motion.velocity);
+    report.spin = toBullet(motion.spin);
+    report.angularMomentum = toBullet(motion.momentum);
+    report.kineticEnergy = m_state == BodyState::asleep ? 0 : kineticEnergy(motion, m_inertia);
+    report.gravitationalEnergy =
+        gravitationalEnergy(m_inertia.mass, m_gravity, motion.pose.position - frame.originWorld());
+    report.waterPotentialEnergy = load.potential - report.gravitationalEnergy;
+    report.energy = m_motion.ledger();
+    if (wasStepped(m_state)) {
+        report.evaluations = m_motion.evaluations();
+        report.waterSamples = m_waterSamples;
+    }
+    report.spinIsLimited = m_motion.departure().spin.norm() * m_handover.dt() > largestTurn;
+    report.shapeHasChanged = shapeHasChanged();
+    return report;
 }
 
 }  // namespace bullet_buoyancy

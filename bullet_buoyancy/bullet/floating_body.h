@@ -12,8 +12,7 @@
 
 namespace bullet_buoyancy {
 
-/// One rigid body in the care of the action: what was borrowed from Bullet, its motion, and what was last
-/// reported.
+/// One rigid body in the care of the action: what was borrowed from Bullet, and its motion.
 class FloatingBody {
 public:
     /// Checks body and settings; changes nothing.
@@ -37,11 +36,15 @@ public:
 
     const btRigidBody& body() const { return *m_body; }
     const Hull& hull() const { return *m_def.hull; }
-    const BodyReport& report() const { return m_report; }
+    BodyState state() const { return m_state; }
+
+    /// Made from what the last substep left. `frame`: the water's.
+    BodyReport report(const WaterFrame& frame) const;
 
 private:
     bool staysAsleep(const WaterNow& water, bool reweighed);
     bool isStirred(const WaterNow& water) const;
+    bool isInertiaKnown() const;
     bool massHasChanged();
     bool shapeHasChanged() const;
     bool gravityActed() const;
@@ -50,20 +53,26 @@ private:
     bool wasHeld(double dt) const;
     Motion motionBefore(double dt) const;
     void keepAwakeUnlessAtRest(const WaterNow& water);
-    void writeReport(const WaterNow& water, const WaterLoad& now, double dt);
+    bool isAtRest(double gravity) const;
 
     btRigidBody* m_body;
     BodyDef m_def;
+    BodyState m_state = BodyState::notStepped;
+    bool m_hasMotion = false;  // it was stepped, and its motion is finite
+    bool m_isPressed = false;  // there was gravity in the water in the last step
+    bool m_wokenWithoutGravity = false;
+    int m_waterSamples = 0;
+    double m_size;             // largest distance of a wetted point from the centre of mass, m
+    double m_flexibility = 0;  // square of the fastest oscillation over the water's weight density, m^2/kg
+    double m_inverseMass = 0;  // Bullet's
+    Inertia m_inertia;
+    Vec3 m_gravity = Vec3::Zero();  // Bullet's for the body, in the last step, m/s^2
     BorrowedSettings m_borrowed;
     Handover m_handover;
     BodyMotion m_motion;
-    Inertia m_inertia;
-    double m_flexibility = 0;  // square of the fastest oscillation over the water's weight density, m^2/kg
+    Vec3 m_lastSeenVelocity;  // while it was not stepped
     const btCollisionShape* m_knownShape;
     btVector3 m_knownScaling;
-    bool m_wokenWithoutGravity = false;
-    Vec3 m_lastSeenVelocity;  // while it was not stepped
-    BodyReport m_report;
 };
 
 }  // namespace bullet_buoyancy

@@ -14,9 +14,14 @@ namespace {
 /// Bullet rounds its numbers to this share of themselves, a few times on the way through a step.
 constexpr double rounding = std::numeric_limits<btScalar>::epsilon();
 
-/// Twice the sine of half the angle between two orientations, rad where it is small.
-double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-    return 2 * (a.conjugate() * b).vec().norm();
+/// Square of twice the sine of half the angle between two orientations, rad^2 where it is small.
+double squaredAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+    if (a.coeffs() == b.coeffs()) return 0;
+    return 4 * (a.conjugate() * b).vec().squaredNorm();
+}
+
+constexpr double square(double x) {
+    return x * x;
 }
 
 /// Where Bullet's pose has come to lie off ours by more than it rounds, it is brought back.
@@ -32,6 +37,19 @@ Vec3 stopped(const Vec3& correction, const Vec3& change) {
     return taken > 0 ? Vec3(std::min(1.0, taken / square) * correction) : Vec3::Zero();
 }
 
+/// Bullet's pose, with the orientation that is meant if that is what it rounds to: the usual case is a quick
+/// one.
+Pose poseNear(const Pose& target, const btTransform& transform) {
+    const Mat3 axes = target.orientation.toRotationMatrix();
+    double difference = 0;
+    for (int row = 0; row < 3; ++row)
+        difference =
+            std::max(difference,
+                     (toEigen(transform.getBasis()[row]) - axes.row(row).transpose()).cwiseAbs().maxCoeff());
+    if (!(difference <= 4 * rounding)) return toPose(transform);
+    return {toEigen(transform.getOrigin()), target.orientation};
+}
+
 Vec3 gravityStep(const btRigidBody& body, double dt) {
     return dt * toEigen(body.getGravity()).cwiseProduct(toEigen(body.getLinearFactor()));
 }
@@ -39,38 +57,38 @@ Vec3 gravityStep(const btRigidBody& body, double dt) {
 }  // namespace
 
 double Handover::lag(const Pose& ours) const {
-    const double sine = angleBetween(ours.orientation, m_pose.orientation) / 2;
-    return sine <= 32 * rounding ? 0 : 2 * std::asin(std::min(1.0, sine));
+    const double angle2 = squaredAngle(ours.orientation, m_pose.orientation);
+    return angle2 <= square(64 * rounding) ? 0 : 2 * std::asin(std::min(1.0, std::sqrt(angle2) / 2));
 }
 
 void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt) {
     const Pose& ours = motion.motion().pose;
     constexpr double forgetting = 0.99;  // a step
     m_longestStep = std::max(dt, forgetting * m_longestStep);
-    m_correction = correction(ours.position, m_pose.position) / m_longestStep;
+    m_correction = correction(ours.position, m_pose.position) * (1 / m_longestStep);
     const Vec3 velocity = motion.departure().velocity + m_correction;
-    const bool turnedOff = angleBetween(ours.orientation, m_pose.orientation) > 4 * rounding;
+    const bool turnedOff = squaredAngle(ours.orientation, m_pose.orientation) > square(4 * rounding);
     const Eigen::Quaterniond& from = turnedOff ? m_pose.orientation : ours.orientation;
     const Vec3 spin = turnedOff || turning == Turning::byMomentum
-                          ? Vec3(rotationVector(motion.target().orientation * from.conjugate()) / dt)
+                          ? Vec3(rotationVector(motion.target().orientation * from.conjugate()) * (1 / dt))
                           : motion.departure().spin;
     body.setLinearVelocity(toBullet(velocity - gravityStep(body, dt)));
-    const double turn = spin.norm() * dt;  // past the limit where Bullet's pose lags behind ours
-    body.setAngularVelocity(toBullet(turn > largestTurn ? Vec3(largestTurn / turn * spin) : spin));
+    const double turn2 = spin.squaredNorm() * dt * dt;  // past the limit where Bullet's pose lags behind ours
+    const bool isLimited = turn2 > square(largestTurn);
+    body.setAngularVelocity(toBullet(isLimited ? Vec3(largestTurn / std::sqrt(turn2) * spin) : spin));
     m_velocity = body.getLinearVelocity();
     m_spin = body.getAngularVelocity();
     m_start = m_pose;
-    m_target = motion.target();
     m_dt = dt;
 }
 
-Return Handover::take(const btRigidBody& body, double dt, bool gravityActed) {
-    m_pose = toPose(body.getWorldTransform());
+Return Handover::take(const btRigidBody& body, const Pose& target, double dt, bool gravityActed) {
+    m_pose = poseNear(target, body.getWorldTransform());
     m_disturbance.velocityChange = velocityChange(body, dt, gravityActed);
     m_disturbance.spinChange = toEigen(body.getAngularVelocity() - m_spin);
     m_disturbance.turnedByHand = false;
     const bool pushed = !m_disturbance.velocityChange.isZero(0) || !m_disturbance.spinChange.isZero(0);
-    if (!pushed && dt == m_dt && gravityActed && isAtTarget(body)) return Return::atTarget;
+    if (!pushed && dt == m_dt && gravityActed && isAt(target, body)) return Return::atTarget;
     const Vec3 displacement = m_pose.position - m_start.position;
     const bool isMoved =
         (displacement - dt * toEigen(body.getLinearVelocity())).norm() > positionTolerance(body);
@@ -84,23 +102,25 @@ Vec3 Handover::velocityChange(const btRigidBody& body, double dt, bool gravityAc
     const btVector3 external = body.getTotalForce() * inverseMass * btScalar(dt);
     Vec3 change = toEigen(body.getLinearVelocity() - (m_velocity + external));
     const double scale = toEigen(m_velocity).cwiseAbs().maxCoeff() + toEigen(external).cwiseAbs().maxCoeff();
-    if (change.cwiseAbs().maxCoeff() <= 4 * rounding * scale) change.setZero();
-    change += stopped(m_correction, change);
+    if (change.cwiseAbs().maxCoeff() <= 4 * rounding * scale)
+        change.setZero();
+    else
+        change += stopped(m_correction, change);
     if (!gravityActed) return change;
-    const Vec3 byUser = toEigen(external) - gravityStep(body, dt);
-    const bool isRounding = byUser.cwiseAbs().maxCoeff() <= 8 * rounding * gravityStep(body, dt).norm();
+    const Vec3 ofGravity = gravityStep(body, dt), byUser = toEigen(external) - ofGravity;
+    const bool isRounding = byUser.cwiseAbs2().maxCoeff() <= square(8 * rounding) * ofGravity.squaredNorm();
     return isRounding ? change : Vec3(change + byUser);
 }
 
 /// Of Bullet's numbers in the sum of a position and a step, m.
 double Handover::positionTolerance(const btRigidBody& body) const {
-    const double travel = toEigen(body.getLinearVelocity()).norm() * m_dt;
+    const double travel = toEigen(body.getLinearVelocity()).cwiseAbs().sum() * m_dt;
     return 8 * rounding * (m_pose.position.cwiseAbs().maxCoeff() + travel + 1e-3);
 }
 
-bool Handover::isAtTarget(const btRigidBody& body) const {
-    return (m_pose.position - m_target.position).cwiseAbs().maxCoeff() <= positionTolerance(body) &&
-           angleBetween(m_pose.orientation, m_target.orientation) <= 64 * rounding;
+bool Handover::isAt(const Pose& target, const btRigidBody& body) const {
+    return (m_pose.position - target.position).cwiseAbs().maxCoeff() <= positionTolerance(body) &&
+           squaredAngle(m_pose.orientation, target.orientation) <= square(64 * rounding);
 }
 
 bool Handover::isWhereItsSpinLeads(const btRigidBody& body, double dt) const {
@@ -111,7 +131,7 @@ bool Handover::isWhereItsSpinLeads(const btRigidBody& body, double dt) const {
         return true;  // Bullet's own shortening of the turn is not told from a hand's
     const Eigen::Quaterniond turn = rate > 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(rate * dt, spin / rate))
                                              : Eigen::Quaterniond::Identity();
-    return angleBetween(turn * m_start.orientation, m_pose.orientation) <= tolerance;
+    return squaredAngle(turn * m_start.orientation, m_pose.orientation) <= square(tolerance);
 }
 
 }  // namespace bullet_buoyancy

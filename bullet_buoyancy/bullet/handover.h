@@ -21,8 +21,9 @@ public:
     /// step of `dt` (s).
     void give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt);
 
-    /// After Bullet's step of `dt` (s). `gravityActed`: Bullet leaves it out after a body has been woken.
-    Return take(const btRigidBody& body, double dt, bool gravityActed);
+    /// After Bullet's step of `dt` (s). `target`: of the motion that was given. `gravityActed`: Bullet leaves
+    /// it out after a body has been woken.
+    Return take(const btRigidBody& body, const Pose& target, double dt, bool gravityActed);
 
     /// The angle by which Bullet's body has yet to be turned to reach a pose of ours, rad.
     double lag(const Pose& ours) const;
@@ -37,13 +38,12 @@ public:
 private:
     Vec3 velocityChange(const btRigidBody& body, double dt, bool gravityActed) const;
     double positionTolerance(const btRigidBody& body) const;
-    bool isAtTarget(const btRigidBody& body) const;
+    bool isAt(const Pose& target, const btRigidBody& body) const;
     bool isWhereItsSpinLeads(const btRigidBody& body, double dt) const;
 
     btVector3 m_velocity{0, 0, 0}, m_spin{0, 0, 0};  // as given
     Vec3 m_correction = Vec3::Zero();  // the part of the velocity that only moves Bullet's body to ours
     Pose m_start;                      // of Bullet's
-    Pose m_target;
     double m_dt = 0;
     double m_longestStep =
         0;  // lately: where steps vary, a correction meant for a short one would overshoot, s

@@ -1,7 +1,5 @@
 #include "bullet_buoyancy/bullet/water_load.h"
 
-#include <algorithm>
-
 #include "bullet_buoyancy/hydrodynamics/wet_rate.h"
 #include "bullet_buoyancy/hydrostatics/evaluate.h"
 #include "bullet_buoyancy/motion/energy.h"
@@ -34,7 +32,7 @@ Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
     load.displacement = pressure.submergedVolume;
     load.centreFromCom = pressure.centreOfBuoyancyFromCom;
     load.forceErrorBound = pressure.forceErrorBound;
-    const double wet = wetFraction(load);
+    const double wet = wetFraction(load, *m_def.hull);
     const double wetDrag = wetRate(m_def.linearDrag, wet, m_def.scaleByWetFraction);
     load.dragRate = wetDrag + m_airRate;
     load.dampingRate = wetRate(m_def.angularDamping, wet, m_def.scaleByWetFraction);
@@ -44,12 +42,9 @@ Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
     return load;
 }
 
+/// Zero at the water frame's origin, J.
 double WaterLoad::gravitationalEnergyAt(const Pose& pose) const {
     return gravitationalEnergy(m_mass, m_gravity, pose.position - m_water.field.frame().originWorld());
-}
-
-double WaterLoad::wetFraction(const Load& load) const {
-    return std::clamp(load.displacement / m_def.hull->moments.volume, 0.0, 1.0);
 }
 
 }  // namespace bullet_buoyancy

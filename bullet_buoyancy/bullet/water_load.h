@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "bullet_buoyancy/bullet/body_def.h"
 #include "bullet_buoyancy/bullet/buoyancy_settings.h"
 #include "bullet_buoyancy/motion/load.h"
@@ -18,6 +20,11 @@ struct WaterNow {
     /// Its surface is a plane that stays where it is.
     bool isCalm() const { return bounds.elevation == 0 || (bounds.still && bounds.isFlat()); }
 };
+
+/// Submerged volume over the hull's, 0 to 1.
+inline double wetFraction(const Load& load, const Hull& hull) {
+    return std::clamp(load.displacement / hull.moments.volume, 0.0, 1.0);
+}
 
 /// Water and gravity as they act on one body at one moment.
 class WaterLoad final : public LoadField {
@@ -48,13 +55,9 @@ public:
     /// N
     Vec3 weight() const { return m_mass * m_gravity; }
 
-    /// Zero at the water frame's origin, J.
+private:
     double gravitationalEnergyAt(const Pose& pose) const;
 
-    /// Submerged volume over the hull's, 0 to 1.
-    double wetFraction(const Load& load) const;
-
-private:
     const WaterNow& m_water;
     const BodyDef& m_def;
     double m_mass;

@@ -103,7 +103,7 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
         evaluate(now);
     noteOthers();
 
-    m_kick = Kick(m_load, dt);
+    prepareKick(inertia, dt);
     const bool owed = isHeld();  // others will take it: the body has it only when it leaves
     if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
     account(inertia, calm, foreseen);
@@ -117,8 +117,14 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     if (owed) endStep(m_leaving, inertia, shareWhileHeld(m_load, m_motion, inertia, def.size, dt));
 }
 
+void BodyMotion::prepareKick(const Inertia& inertia, double dt) {
+    m_kick = Kick(m_load, dt);
+    m_push = Push(inertia, m_motion.pose.orientation, m_load.force, m_load.torque);
+}
+
 /// The second half of the load of a step, or a share of it.
 Dissipation BodyMotion::endStep(Motion& motion, const Inertia& inertia, double share) const {
+    if (m_isExplicit) return m_kick.apply(motion, inertia, share == 1 ? m_push : share * m_push);
     return m_kick.apply(motion, inertia, share * (m_carriedForce + m_weightOfArrival * m_load.force),
                         share * (m_carriedTorque + m_weightOfArrival * m_load.torque));
 }
@@ -140,7 +146,10 @@ void BodyMotion::evaluate(const LoadField& now) {
 
 /// What they take of the body's load in two steps running they will take in the next.
 void BodyMotion::noteOthers() {
-    if (!m_isNew) {
+    if (!m_disturbed) {
+        m_linearRelief.updateUntouched();
+        m_angularRelief.updateUntouched();
+    } else if (!m_isNew) {
         m_linearRelief.update(m_flight.departure.velocity - m_arrivalVelocity, m_velocityChange);
         m_angularRelief.update(m_flight.departure.momentum - m_arrivalMomentum, m_angularImpulse);
     }
@@ -193,11 +202,12 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_isCalm = ahead.isCalm();
     if (!m_isCalm) m_available = m_energy;
     m_workOfField = 0;
+    m_isExplicit = true;
     m_carriedForce.setZero();
     m_carriedTorque.setZero();
     m_weightOfArrival = 1;
-    m_flight = flyExplicitly(inertia, def, dt);
-    m_isUnresolved = m_flight.departure.spin.norm() * dt > def.turnLimit;
+    flyExplicitly(inertia, def, dt);
+    m_isUnresolved = m_flight.departure.spin.squaredNorm() * dt * dt > def.turnLimit * def.turnLimit;
     if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, ahead, dt);
     m_available += m_workOfField;
     m_dissipated = m_flight.dissipated;
@@ -208,21 +218,20 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
 
 void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& ahead,
                              double dt) {
-    m_kick = Kick(m_load, dt);
+    prepareKick(inertia, dt);
     m_damps = false;
     depart(inertia, def, ahead, dt);
 }
 
-Flight BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const {
-    Kick kick = m_kick;
-    kick.extraForce = linearRelief() * kick.linear.lostInTwoSteps();
-    kick.extraTorque = angularRelief() * kick.angular.lostInTwoSteps();
+/// All of the flight but the load at its end.
+void BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) {
+    m_kick.extraForce = linearRelief() * m_kick.linear.lostInTwoSteps();
+    m_kick.extraTorque = angularRelief() * m_kick.angular.lostInTwoSteps();
     const double share = isHeld() ? shareWhileHeld(m_load, m_motion, inertia, def.size, dt) : 1;
-    Flight flight;
-    flight.departure = m_leaving;
-    flight.dissipated = kick.apply(flight.departure, inertia, share * m_load.force, share * m_load.torque);
-    flight.arrival = fly(flight.departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
-    return flight;
+    Motion& departure = m_flight.departure;
+    departure = m_leaving;
+    m_flight.dissipated = m_kick.apply(departure, inertia, share == 1 ? m_push : share * m_push);
+    m_flight.arrival = fly(departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
 }
 
 /// Looks at where the explicit flight would end. A leapfrog strays in its turning points by phase^4 / 8 of
@@ -329,6 +338,7 @@ Flight BodyMotion::flyImplicitly(const FlightStart& start, const Inertia& inerti
     m_carriedForce = weights.lastOfStart * m_load.force;
     m_carriedTorque = weights.lastOfStart * m_load.torque;
     m_weightOfArrival = weights.lastOfEnd;
+    m_isExplicit = false;
     m_damps = implicitness > 0;
     return flight;
 }

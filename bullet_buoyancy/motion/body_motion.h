@@ -87,6 +87,7 @@ private:
         double available;
     };
 
+    void prepareKick(const Inertia& inertia, double dt);
     Dissipation endStep(Motion& motion, const Inertia& inertia, double share) const;
     void evaluate(const LoadField& now);
     void noteOthers();
@@ -95,7 +96,7 @@ private:
     double workOfOthers(const Inertia& inertia) const;
     bool isHeld() const;
     bool mustLookAhead(const StepperDef& def, double dt) const;
-    Flight flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) const;
+    void flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt);
     Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
                        const LoadField& ahead, double dt);
     Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& ahead,
@@ -112,10 +113,11 @@ private:
     Load m_load;
     Motion m_leaving;                    // the motion with which the next step begins
     Kick m_kick;                         // by the load, for half a step
+    Push m_push;                         // of the load
     Flight m_flight;                     // the one under way
     bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
     bool m_isCalm = true;                // the field that the flight was shown
-    Load m_loadFromHere;                 // of a field that is not: at the flight's end, at the pose it leaves
+    bool m_isExplicit = true;            // the flight: the kick that ends it is by the load there alone
     Vec3 m_carriedForce = Vec3::Zero();  // what the kick that ends the flight takes from its start
     Vec3 m_carriedTorque = Vec3::Zero();
     double m_weightOfArrival = 1;  // of the load there in that kick
@@ -136,6 +138,8 @@ private:
     double m_workOfField = 0;  // on the flight under way, as foreseen, J
     EnergyLedger m_ledger;
     int m_evaluations = 0;
+
+    Load m_loadFromHere;  // of a field that is not calm: at the flight's end, at the pose it leaves
 };
 
 }  // namespace bullet_buoyancy

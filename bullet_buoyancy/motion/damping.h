@@ -10,17 +10,29 @@ namespace bullet_buoyancy {
 /// The exact solution of dv/dt = a - rate v over one step with constant a: v(dt) = decay v(0) + gain a. Does
 /// not depend on how a time is cut into steps, and drag alone never reverses a motion, whatever rate and dt.
 struct DampedStep {
-    double rate;   ///< 1/s
-    double dt;     ///< s
-    double decay;  ///< 1
-    double gain;   ///< s
+    double rate;          ///< 1/s
+    double dt;            ///< s
+    double decay;         ///< 1
+    double gain;          ///< s
+    double gainOfTravel;  ///< integral of the gain over the step, s^2
 
     /// `decayRate` >= 0 in 1/s (infinite: stops at once), `step` > 0 in s.
-    DampedStep(double decayRate, double step) : rate(decayRate), dt(step), decay(1), gain(step) {
-        if (!(rate * step > 0)) return;
-        const double lost = -std::expm1(-rate * step);
-        decay = 1 - lost;
-        gain = lost / rate;
+    DampedStep(double decayRate, double step)
+        : rate(decayRate), dt(step), decay(1), gain(step), gainOfTravel(step * step / 2) {
+        const double x = rate * step;
+        constexpr double seriesEnds = 0.1;  // beyond, its terms that are left out pass rounding
+        if (!(x > 0)) return;
+        if (x < seriesEnds) {
+            const double second = secondOrder(x), lost = x * (1 - x * second);
+            decay = 1 - lost;
+            gain = step * (1 - x * second);
+            gainOfTravel = step * step * second;
+        } else {
+            const double lost = -std::expm1(-x);
+            decay = 1 - lost;
+            gain = lost / rate;
+            gainOfTravel = (step - gain) / rate;
+        }
     }
 
     /// A velocity or momentum after the step under a constant `load` (its rate of change), which acts for
@@ -34,10 +46,16 @@ struct DampedStep {
     double lostInTwoSteps() const { return 2 * dt - gain * (1 + decay); }
 
     /// The integral of the value over the step, from `value` under a constant `load`.
-    Vec3 travel(const Vec3& value, const Vec3& load) const {
-        constexpr double smallDecay = 1e-6;  // below, the difference dt - gain has lost its digits
-        const double ofLoad = rate * dt > smallDecay ? (dt - gain) / rate : dt * dt / 2;
-        return gain * value + ofLoad * load;
+    Vec3 travel(const Vec3& value, const Vec3& load) const { return gain * value + gainOfTravel * load; }
+
+private:
+    /// (exp(-x) - 1 + x) / x^2, by its Taylor series.
+    static double secondOrder(double x) {
+        const double y = x * x;
+        const double even = 1. / 2 + y * (1. / 24 + y * (1. / 720 + y * (1. / 40320 + y * (1. / 3628800))));
+        const double odd =
+            1. / 6 + y * (1. / 120 + y * (1. / 5040 + y * (1. / 362880 + y * (1. / 39916800))));
+        return even - x * odd;
     }
 };
 
@@ -55,6 +73,12 @@ public:
         const double square = load.squaredNorm();
         m_beforeLast = m_last;
         m_last = square > 0 ? std::clamp(-others.dot(load) / square, 0.0, 1.0) : 0;
+    }
+
+    /// The same of a step in which they did nothing.
+    void updateUntouched() {
+        m_beforeLast = m_last;
+        m_last = 0;
     }
 
 private:

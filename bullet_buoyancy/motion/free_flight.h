@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bullet_buoyancy/motion/energy.h"
 #include "bullet_buoyancy/motion/inertia.h"
 
 namespace bullet_buoyancy {
@@ -11,18 +12,39 @@ struct Motion {
     Vec3 momentum = Vec3::Zero();  ///< angular, about the centre of mass, kg m^2/s
     Vec3 spin = Vec3::Zero();      ///< rad/s; of a body that turns freely, what follows from the momentum
 
+    void setMomentum(const Inertia& inertia, const Vec3& value) {  ///< and the spin that follows
+        momentum = value;
+        spin = inertia.spin(pose.orientation, value);
+    }
+    void setSpin(const Inertia& inertia, const Vec3& value) {  ///< and the momentum that follows
+        spin = value;
+        momentum = inertia.momentum(pose.orientation, value);
+    }
+
     /// By an impulse (N s) and one of torque (N m s).
-    void push(const Inertia& inertia, const Vec3& impulse, const Vec3& angularImpulse);
+    void push(const Inertia& inertia, const Vec3& impulse, const Vec3& angularImpulse) {
+        velocity += inertia.velocityChange(impulse);
+        if (inertia.turnsFreely)
+            setMomentum(inertia, momentum + angularImpulse);
+        else
+            setSpin(inertia, spin + inertia.spinChange(pose.orientation, angularImpulse));
+    }
 
     /// To another pose, with the velocity, and the momentum of a body that turns freely or else the spin.
-    void moveTo(const Inertia& inertia, const Pose& where);
-
-    void setMomentum(const Inertia& inertia, const Vec3& value);  ///< and the spin that follows
-    void setSpin(const Inertia& inertia, const Vec3& value);      ///< and the momentum that follows
+    void moveTo(const Inertia& inertia, const Pose& where) {
+        pose = where;
+        if (inertia.turnsFreely)
+            setMomentum(inertia, momentum);
+        else
+            setSpin(inertia, spin);
+    }
 };
 
 /// Translation and rotation, J.
-double kineticEnergy(const Motion& motion, const Inertia& inertia);
+inline double kineticEnergy(const Motion& motion, const Inertia& inertia) {
+    return translationalEnergy(inertia.mass, motion.velocity) +
+           rotationalEnergy(motion.momentum, motion.spin);
+}
 
 /// How a body turns between two poses.
 enum class Turning {

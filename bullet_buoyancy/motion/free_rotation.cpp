@@ -164,21 +164,28 @@ Eigen::Quaterniond turnFreely(const Vec3& principal, const Vec3& momentumInBody,
 /// the step is the unit of time (Blanes, Casas, Oteo and Ros, The Magnus expansion and some of its
 /// applications, Phys. Rep. 470, 2009, 2.3).
 Eigen::Quaterniond turnGently(const Vec3& principal, const Vec3& momentumInBody, double dt) {
-    const Vec3 p0 = dt * momentumInBody, w0 = p0.cwiseQuotient(principal);
-    const Vec3 p1 = p0.cross(w0), w1 = p1.cwiseQuotient(principal);
-    const Vec3 p2 = (p1.cross(w0) + p0.cross(w1)) / 2, w2 = p2.cwiseQuotient(principal);
-    const Vec3 w3 = (p2.cross(w0) + p1.cross(w1) + p0.cross(w2)).cwiseQuotient(3 * principal);
-    const Vec3 half = (w0 + w1 / 2 + w2 / 3 + w3 / 4 + w0.cross(w1 + w2) / 12) / 2;
+    const Vec3 inverse = principal.cwiseInverse();
+    const Vec3 p0 = dt * momentumInBody, w0 = p0.cwiseProduct(inverse);
+    const Vec3 p1 = p0.cross(w0), w1 = p1.cwiseProduct(inverse);
+    const Vec3 p2 = (p1.cross(w0) + p0.cross(w1)) * 0.5, w2 = p2.cwiseProduct(inverse);
+    const Vec3 w3 = (p2.cross(w0) + p1.cross(w1) + p0.cross(w2)).cwiseProduct(inverse) * (1. / 3);
+    const Vec3 half = w0 * 0.5 + w1 * 0.25 + w2 * (1. / 6) + w3 * 0.125 + w0.cross(w1 + w2) * (1. / 24);
     const double square = half.squaredNorm();  // the series of sine and cosine reach rounding
     Eigen::Quaterniond turn;
-    turn.w() = 1 - square / 2 * (1 - square / 12 * (1 - square / 30));
-    turn.vec() = half * (1 - square / 6 * (1 - square / 20));
+    turn.w() = 1 - square * (0.5 - square * (1. / 24 - square * (1. / 720)));
+    turn.vec() = half * (1 - square * (1. / 6 - square * (1. / 120)));
     return turn;
 }
 
 Vec3 rotationVector(const Eigen::Quaterniond& rotation) {
-    const double sine = rotation.vec().norm(), cosine = rotation.w();
-    if (sine == 0) return 2 * rotation.vec();
+    const double square = rotation.vec().squaredNorm(), cosine = rotation.w();
+    constexpr double seriesEnds = 1e-3;  // beyond, its terms that are left out pass rounding
+    if (square < seriesEnds) {           // of the arc sine
+        const double halfAngleOverSine =
+            1 + square * (1. / 6 + square * (3. / 40 + square * (5. / 112 + square * (35. / 1152))));
+        return std::copysign(2 * halfAngleOverSine, cosine) * rotation.vec();
+    }
+    const double sine = std::sqrt(square);
     return 2 * std::atan2(std::copysign(sine, cosine), std::abs(cosine)) / sine * rotation.vec();
 }
 

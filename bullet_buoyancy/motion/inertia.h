@@ -22,15 +22,17 @@ struct Inertia {
     /// nothing, and it turns as the engine turns it: at its spin.
     bool turnsFreely = true;
 
-    Vec3 velocityChange(const Vec3& impulse) const { return impulse.cwiseProduct(linearFactor) / mass; }
+    Vec3 velocityChange(const Vec3& impulse) const { return impulse.cwiseProduct(linearFactor) * (1 / mass); }
 
     /// Angular, of a spin (rad/s), both in world axes: L = R I R^T omega, with I the principal moments and R
     /// the orientation, body to world. kg m^2/s.
     Vec3 momentum(const Eigen::Quaterniond& orientation, const Vec3& spin) const {
-        return orientation * principal.cwiseProduct(orientation.conjugate() * spin);
+        const Mat3 axes = orientation.toRotationMatrix();
+        return axes * principal.cwiseProduct(axes.transpose() * spin);
     }
     Vec3 spin(const Eigen::Quaterniond& orientation, const Vec3& momentum) const {
-        return orientation * inversePrincipal.cwiseProduct(orientation.conjugate() * momentum);
+        const Mat3 axes = orientation.toRotationMatrix();
+        return axes * inversePrincipal.cwiseProduct(axes.transpose() * momentum);
     }
     /// By an impulse of torque (N m s).
     Vec3 spinChange(const Eigen::Quaterniond& orientation, const Vec3& impulse) const {

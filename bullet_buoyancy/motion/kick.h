@@ -18,6 +18,27 @@ struct Dissipation {
     }
 };
 
+/// A constant force (N) and torque (N m) on a body, and how it answers at its orientation.
+struct Push {
+    Vec3 force, torque;
+    Vec3 acceleration;         ///< m/s^2
+    Vec3 angularAcceleration;  ///< rad/s^2
+
+    Push() : Push(Inertia(), Eigen::Quaterniond::Identity(), Vec3::Zero(), Vec3::Zero()) {}
+    Push(const Inertia& inertia, const Eigen::Quaterniond& orientation, const Vec3& forceOnIt,
+         const Vec3& torqueOnIt)
+        : force(forceOnIt),
+          torque(torqueOnIt),
+          acceleration(inertia.velocityChange(forceOnIt)),
+          angularAcceleration(inertia.spinChange(orientation, torqueOnIt)) {}
+
+    friend Push operator*(double share, Push push) {
+        for (Vec3* part : {&push.force, &push.torque, &push.acceleration, &push.angularAcceleration})
+            *part *= share;
+        return push;
+    }
+};
+
 /// What changes a body's velocity and momentum at one pose: half a step before it, and half a step after it,
 /// with the body flying free from pose to pose (Stormer and Verlet; Hairer, Lubich and Wanner, Geometric
 /// Numerical Integration, I.1.4). Two kicks with the same load make a DampedStep over the whole step.
@@ -34,8 +55,11 @@ struct Kick {
           angular(load.dampingRate, dt / 2),
           mediumVelocity(load.mediumVelocity) {}
 
-    /// `force` in N and `torque` in N m, constant over the half step.
-    Dissipation apply(Motion& motion, const Inertia& inertia, const Vec3& force, const Vec3& torque) const;
+    /// `push`: over the half step, at the motion's orientation.
+    Dissipation apply(Motion& motion, const Inertia& inertia, const Push& push) const;
+    Dissipation apply(Motion& motion, const Inertia& inertia, const Vec3& force, const Vec3& torque) const {
+        return apply(motion, inertia, Push(inertia, motion.pose.orientation, force, torque));
+    }
 };
 
 }  // namespace bullet_buoyancy

@@ -77,7 +77,7 @@ void BoatInWaves::step() {
 }
 
 void BoatInWaves::look() {
-    const BodyReport& now = report();
+    const BodyReport now = report();
     if (now.state == BodyState::notFinite || !pose().position.allFinite() ||
         !std::isfinite(now.totalEnergy()))
         m_mishap = Mishap::notFinite;

@@ -68,7 +68,7 @@ public:
     Mishap mishap() const { return m_mishap; }
 
     Pose pose() const;
-    const BodyReport& report() const { return m_buoyancy.report(*m_body); }
+    BodyReport report() const { return m_buoyancy.report(*m_body); }
 
 private:
     void placeBody();

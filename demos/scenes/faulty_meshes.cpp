@@ -143,7 +143,7 @@ FaultyResult floatFaulty(const FaultyMesh& faulty, Floater floater, const Steppi
     def.hull = made.hull;
     scene.floatBody(body, def);
     scene.run(60, stepping.dt, stepping.substeps);
-    const BodyReport& report = scene.report(body);
+    const BodyReport report = scene.report(body);
     result.finite = isFinite(scene, body);
     result.balanceError = std::abs(report.submergedVolume * density / mass - 1);
     result.draftError =

@@ -60,7 +60,7 @@ BodyStatus FloatScene::floatBody(btRigidBody& body, const BodyDef& def) {
     return m_floater == Floater::library ? m_buoyancy.addBody(body, def) : m_impulses.addBody(body, def);
 }
 
-const BodyReport& FloatScene::report(const btRigidBody& body) const {
+BodyReport FloatScene::report(const btRigidBody& body) const {
     return m_floater == Floater::library ? m_buoyancy.report(body) : m_impulses.report(body);
 }
 

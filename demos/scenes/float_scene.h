@@ -47,7 +47,7 @@ public:
     BodyStatus floatBody(btRigidBody& body, const BodyDef& def = {});
 
     /// What the floater did with the body in the last substep.
-    const BodyReport& report(const btRigidBody& body) const;
+    BodyReport report(const btRigidBody& body) const;
 
     btRigidBody& addStatic(std::unique_ptr<btCollisionShape> shape, const Pose& pose);
 

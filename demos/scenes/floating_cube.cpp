@@ -34,18 +34,17 @@ CubeResult dropCube(const CubeDef& def, const Stepping& stepping) {
     body.linearDrag = def.linearDrag;
     body.angularDamping = def.angularDamping;
     btRigidBody& cube = scene.addFloatingBox(Vec3::Constant(def.size), def.ratio, pose, body);
-    const BodyReport& report = scene.buoyancy().report(cube);
-
     CubeResult result;
     while (scene.time() < def.seconds) {
         scene.step(stepping.dt, stepping.substeps);
         result.samples.push_back({scene.time(), heightAboveWater(cube, scene.water()) / def.size,
-                                  tiltOf(cube, scene.water()), report.totalEnergy()});
+                                  tiltOf(cube, scene.water()), scene.report(cube).totalEnergy()});
     }
     const double tilt = result.samples.back().tilt;
     result.reached = nearest(stableCubeOrientations(def.ratio), tilt);
     result.tiltDeviation = result.reached.tilt < 0 ? 0 : std::abs(tilt - result.reached.tilt);
     constexpr double restSpeed = 1e-4;  // m/s
+    const BodyReport report = scene.report(cube);
     result.atRest = 2 * report.kineticEnergy * double(cube.getInvMass()) < restSpeed * restSpeed;
     result.submergedFraction = report.wetFraction;
     return result;

@@ -35,12 +35,11 @@ LogResult floatLog(double ratio, const Stepping& stepping) {
     def.scaleByWetFraction = false;  // light logs would take minutes to settle
     btRigidBody& log = scene.addFloatingBox({length, 1, 1}, ratio, pose, def);
 
-    const BodyReport& report = scene.buoyancy().report(log);
     const double mass = 1 / double(log.getInvMass());
     double restingSince = 0;
     while (scene.time() < limit && scene.time() - restingSince < restTime) {
         scene.step(stepping.dt, stepping.substeps);
-        if (report.kineticEnergy > restEnergy * mass) restingSince = scene.time();
+        if (scene.report(log).kineticEnergy > restEnergy * mass) restingSince = scene.time();
     }
     return {ratio, tiltOf(log, scene.water()), heightAboveWater(log, scene.water()), restingSince};
 }

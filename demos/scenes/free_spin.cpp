@@ -37,11 +37,11 @@ std::vector<SpinSample> spinFreely(const SpinDef& def, SpinOwner owner, const St
     if (owner == SpinOwner::bullet) box.setGravity({0, 0, 0});
 
     std::vector<SpinSample> samples{{0, angularMomentum(box)}};
-    const BodyReport& report = scene.buoyancy().report(box);
     while (scene.time() < def.seconds) {
         scene.step(stepping.dt, stepping.substeps);
-        samples.push_back({scene.time(), owner == SpinOwner::library ? toEigen(report.angularMomentum)
-                                                                     : angularMomentum(box)});
+        samples.push_back({scene.time(), owner == SpinOwner::library
+                                             ? toEigen(scene.report(box).angularMomentum)
+                                             : angularMomentum(box)});
     }
     return samples;
 }

@@ -52,11 +52,10 @@ BodyStatus ImpulseBuoyancy::addBody(btRigidBody& body, const BodyDef& def) {
     return status;
 }
 
-const BodyReport& ImpulseBuoyancy::report(const btRigidBody& body) const {
-    static const BodyReport unknown;
+BodyReport ImpulseBuoyancy::report(const btRigidBody& body) const {
     const auto found = std::find_if(m_bodies.begin(), m_bodies.end(),
                                     [&](const Floating& floating) { return floating.body == &body; });
-    return found == m_bodies.end() ? unknown : found->report;
+    return found == m_bodies.end() ? BodyReport() : found->report;
 }
 
 void ImpulseBuoyancy::updateAction(btCollisionWorld* world, btScalar dt) {

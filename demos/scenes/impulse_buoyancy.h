@@ -26,7 +26,7 @@ public:
     BodyStatus addBody(btRigidBody& body, const BodyDef& def);
 
     /// State, velocity, wet fraction, displacement and energies, as `BodyReport` has them.
-    const BodyReport& report(const btRigidBody& body) const;
+    BodyReport report(const btRigidBody& body) const;
 
     void updateAction(btCollisionWorld* world, btScalar dt) override;
     void debugDraw(btIDebugDraw*) override {}

@@ -39,10 +39,9 @@ AfterAnHour restForAnHour(const Rest& rest, const BodyDef& def, int substepsACal
     if (rest.ratio == 0.1) start.position.z() = 0.4;
     btRigidBody& cube = scene.addFloatingBox({1, 1, 1}, rest.ratio, start, def);
     scene.step(dt);
-    const BodyReport& report = scene.buoyancy().report(cube);
-    const double energy = report.totalEnergy();
+    const double energy = scene.report(cube).totalEnergy();
     scene.run(hour, substepsACall * dt, substepsACall);
-    return {poseOf(cube), (report.totalEnergy() - energy) * double(cube.getInvMass())};
+    return {poseOf(cube), (scene.report(cube).totalEnergy() - energy) * double(cube.getInvMass())};
 }
 
 /// Rounding of the pose in single precision, 6e-8 of a metre or radian, is all that could set a cube in

@@ -123,7 +123,7 @@ TEST(ABodyTeleported, FloatsWhereItIsPut) {
         EXPECT_NEAR(poseOf(pair.body).position.z(), height, 0.05);
         EXPECT_LT(poseOf(pair.body).orientation.angularDistance(pose.orientation), 0.05);
         // The energy that the hand gave is others' doing.
-        const BodyReport& report = pair.scene.buoyancy().report(pair.body);
+        const BodyReport report = pair.scene.buoyancy().report(pair.body);
         EXPECT_NEAR(report.energy.expected(), report.totalEnergy(), 0.01 * std::abs(report.totalEnergy()));
         pair.expectBothFloat();
     }
