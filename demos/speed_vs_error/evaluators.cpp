@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bullet_buoyancy/hydrostatics/evaluate_batch.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_clustered.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "speed_vs_error/centroid_pressure.h"
 #include "speed_vs_error/closed_form.h"
@@ -16,6 +18,14 @@ constexpr double nothingStated = std::numeric_limits<double>::infinity();
 
 /// What the evaluators of the library look like.
 using Evaluate = HydrostaticResult (*)(const Hull&, const Pose&, const WaterField&, const HydrostaticQuery&);
+
+template <Evaluate evaluate>
+HydrostaticResult inSinglePrecision(const Hull& hull, const Pose& pose, const WaterField& water,
+                                    const HydrostaticQuery& asked) {
+    HydrostaticQuery query = asked;
+    query.precision = Precision::single;
+    return evaluate(hull, pose, water, query);
+}
 
 class OfTheLibrary final : public ReadyEvaluator {
 public:
@@ -68,6 +78,10 @@ const std::vector<Evaluator>& evaluators() {
     static const std::vector<Evaluator> all{
         baseline("closed form, float", "closed form, float", closedFormInFloat),
         library("exact", evaluateExact, 1e-12, ToleranceCounts::inWaves),
+        library("batch", evaluateBatch, 1e-12, ToleranceCounts::inWaves),
+        library("batch, float", inSinglePrecision<evaluateBatch>, 2e-6, ToleranceCounts::inWaves),
+        library("clustered", evaluateClustered, 1e-12, ToleranceCounts::inWaves),
+        library("clustered, float", inSinglePrecision<evaluateClustered>, 2e-6, ToleranceCounts::inWaves),
         baseline("centroids", "centroids", pressCentroids),
         pontoons(4),
         pontoons(16),
