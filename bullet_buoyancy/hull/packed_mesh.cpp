@@ -157,7 +157,14 @@ PackedMesh packMesh(const TriangleMesh& mesh, const Vec3& origin) {
         sorted.push_back(
             {mesh.vertices[t[0]] - origin, mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin});
     sortIntoPacks(sorted.begin(), sorted.end());
-    return {origin, pack<float>(sorted), pack<double>(sorted)};
+    double reach = 0, area = 0;
+    for (const Corners& t : sorted) {
+        area += (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+        for (const Vec3& corner : t)
+            reach = std::max(reach, corner.norm());
+    }
+    const double errorOfSingle = 4 * double(std::numeric_limits<float>::epsilon()) * area * reach;
+    return {origin, errorOfSingle, pack<float>(sorted), pack<double>(sorted)};
 }
 
 }  // namespace bullet_buoyancy

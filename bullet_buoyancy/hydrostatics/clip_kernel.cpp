@@ -247,6 +247,22 @@ PressureSums sum(const PressureRows<Real>& rows) {
             {sumOf(rows.depthMoment[0]), sumOf(rows.depthMoment[1]), sumOf(rows.depthMoment[2])}};
 }
 
+template <typename Real>
+void clear(PackRow<Real>& row) {
+    for (int lane = 0; lane < packSize; lane += laneCount<Real>)
+        store<Real>(Lanes<Real>{}, row.lane + lane);
+}
+
+template <typename Real>
+PressureSums press(const TrianglePack<Real>* packs, int count, const PackPlane& plane) {
+    WetRows<Real> rows;
+    clear(rows.pressure.depth);
+    for (PackRow<Real>& row : rows.pressure.depthMoment)
+        clear(row);
+    clip<Real, WetRowsAsked::pressure>(packs, nullptr, count, plane, rows);
+    return sum(rows.pressure);
+}
+
 }  // namespace
 
 extern const ClipKernels<float> clipSingle;
@@ -254,9 +270,11 @@ extern const ClipKernels<double> clipFull;
 
 const ClipKernels<float> clipSingle = {{clip<float, WetRowsAsked::pressure>, clip<float, WetRowsAsked::all>},
                                        {open<float, WetRowsAsked::pressure>, open<float, WetRowsAsked::all>},
+                                       press<float>,
                                        sum<float>};
 const ClipKernels<double> clipFull = {{clip<double, WetRowsAsked::pressure>, clip<double, WetRowsAsked::all>},
                                       {open<double, WetRowsAsked::pressure>, open<double, WetRowsAsked::all>},
+                                      press<double>,
                                       sum<double>};
 
 }  // namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL

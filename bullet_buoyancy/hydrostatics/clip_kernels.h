@@ -53,11 +53,14 @@ struct ClipKernels {
     using Open = int (*)(const Cluster<Real>& cluster, const PackPlane& plane, WetRows<Real>& rows,
                          std::uint8_t* cut);
 
+    /// What the first `count` packs come to, at once.
+    using Press = PressureSums (*)(const TrianglePack<Real>* packs, int count, const PackPlane& plane);
     /// Sums up the parts.
     using Sum = PressureSums (*)(const PressureRows<Real>& rows);
 
     Clip clip[2];  ///< by WetRowsAsked
     Open open[2];
+    Press press;
     Sum sum;
 };
 

@@ -99,28 +99,35 @@ private:
     int m_stacked = 0, m_listed = 0;
 };
 
-/// From the mesh's origin to the body's.
-Vec3 movedFirst(double zeroth, const Vec3& first, const Vec3& offset) {
-    return first + zeroth * offset;
-}
-
 /// By the divergence theorem with d up, which vanishes at the surface. What depth is integrated over the
 /// volume follows: up . x = depth of the origin - d.
-void addDisplacement(const PressureSums& sums, const WaterPlane& plane, double depthOfOrigin,
-                     const Vec3& origin, WetIntegrals& integrals) {
-    const Vec3& up = plane.upInBody;
+Displacement displacementOf(const PressureSums& sums, const PackPlane& plane, const Vec3& up,
+                            const PackedMesh& mesh, Precision precision) {
     const double volume = -sums.depth;
     const Vec3 depthMoment(-sums.depthMoment[0], -sums.depthMoment[1], -sums.depthMoment[2]);
-    const double headVolume = (depthOfOrigin * volume - up.dot(depthMoment)) / 2;
-    integrals.addDisplacement(up, volume, movedFirst(volume, depthMoment + headVolume * up, origin),
-                              headVolume);
+    const double headVolume = (plane.depthOfOrigin * volume - up.dot(depthMoment)) / 2;
+    return {volume, depthMoment + headVolume * up + volume * mesh.origin, headVolume,
+            precision == Precision::single ? mesh.errorOfSingle : 0};
+}
+
+PackPlane packPlane(const PackedMesh& mesh, const WaterPlane& plane) {
+    const Vec3& up = plane.upInBody;
+    return {{up.x(), up.y(), up.z()}, plane.depth(mesh.origin)};
+}
+
+template <typename Real>
+PressureSums press(const PackedTriangles<Real>& mesh, const PackPlane& plane, MeshSum sum) {
+    if (sum == MeshSum::inPacks || mesh.levels.empty())
+        return clipKernels<Real>().press(mesh.packs.data(), int(mesh.packs.size()), plane);
+    PackedMeshInWater<Real> inWater(mesh, plane, WetRowsAsked::pressure);
+    inWater.addAtTheSurface();
+    return inWater.pressure();
 }
 
 /// A point x throws its shadow on x + d up.
 template <typename Real>
-void addShadow(const ShadowRows<Real>& rows, const WaterPlane& plane, double depthOfOrigin,
-               const Vec3& origin, Waterplane& waterplane) {
-    const Vec3& up = plane.upInBody;
+void addShadow(const ShadowRows<Real>& rows, const PackPlane& plane, const Vec3& up, const Vec3& origin,
+               Waterplane& waterplane) {
     const Mat3 flat = Mat3::Identity() - up * up.transpose();
     const double area = -sumOf(rows.shadow);
     const Vec3 first = -flat * sumOf(rows.shadowMoment);
@@ -131,39 +138,46 @@ void addShadow(const ShadowRows<Real>& rows, const WaterPlane& plane, double dep
     second << xx, xy, xz,  //
         xy, yy, yz,        //
         xz, yz, zz;
-    const Vec3 offset = origin + depthOfOrigin * up;
+    const Vec3 offset = origin + plane.depthOfOrigin * up;
     waterplane.area += area;
-    waterplane.firstMoment += movedFirst(area, first, offset);
+    waterplane.firstMoment += first + area * offset;
     waterplane.secondMoment += flat * second * flat + first * offset.transpose() +
                                offset * first.transpose() + area * offset * offset.transpose();
 }
 
 template <typename Real>
-void add(const PackedMesh& mesh, const WaterPlane& plane, MeshSum sum, const HydrostaticQuery& query,
-         WetIntegrals& integrals) {
-    const Vec3& up = plane.upInBody;
-    const PackPlane packPlane{{up.x(), up.y(), up.z()}, plane.depth(mesh.origin)};
-    const bool wantsAll = query.needsWaterplane() || query.wettedArea;
-    PackedMeshInWater<Real> inWater(mesh.in<Real>(), packPlane,
-                                    wantsAll ? WetRowsAsked::all : WetRowsAsked::pressure);
+void addWithShadow(const PackedMesh& mesh, const WaterPlane& water, MeshSum sum,
+                   const HydrostaticQuery& query, WetIntegrals& integrals) {
+    const PackPlane plane = packPlane(mesh, water);
+    PackedMeshInWater<Real> inWater(mesh.in<Real>(), plane, WetRowsAsked::all);
     if (sum == MeshSum::inPacks)
         inWater.addEveryTriangle();
     else
-        inWater.addAtTheSurface();  // of a mesh of a few packs every triangle
-    addDisplacement(inWater.pressure(), plane, packPlane.depthOfOrigin, mesh.origin, integrals);
-    if (query.needsWaterplane())
-        addShadow(inWater.shadow(), plane, packPlane.depthOfOrigin, mesh.origin, integrals.waterplane);
+        inWater.addAtTheSurface();
+    const Vec3& up = water.upInBody;
+    integrals.addDisplacement(up, displacementOf(inWater.pressure(), plane, up, mesh, query.precision));
+    if (query.needsWaterplane()) addShadow(inWater.shadow(), plane, up, mesh.origin, integrals.waterplane);
     if (query.wettedArea) integrals.wettedArea += sumOf(inWater.shadow().area);
 }
 
 }  // namespace
 
+Displacement displacementOf(const PackedMesh& mesh, const WaterPlane& water, MeshSum sum,
+                            Precision precision) {
+    const PackPlane plane = packPlane(mesh, water);
+    const PressureSums sums =
+        precision == Precision::single ? press(mesh.single, plane, sum) : press(mesh.full, plane, sum);
+    return displacementOf(sums, plane, water.upInBody, mesh, precision);
+}
+
 void addPackedMesh(const PackedMesh& mesh, const WaterPlane& plane, MeshSum sum,
                    const HydrostaticQuery& query, WetIntegrals& integrals) {
-    if (query.precision == Precision::single)
-        add<float>(mesh, plane, sum, query, integrals);
+    if (!query.needsWaterplane() && !query.wettedArea)
+        integrals.addDisplacement(plane.upInBody, displacementOf(mesh, plane, sum, query.precision));
+    else if (query.precision == Precision::single)
+        addWithShadow<float>(mesh, plane, sum, query, integrals);
     else
-        add<double>(mesh, plane, sum, query, integrals);
+        addWithShadow<double>(mesh, plane, sum, query, integrals);
 }
 
 }  // namespace bullet_buoyancy

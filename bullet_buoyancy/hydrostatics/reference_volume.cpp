@@ -19,16 +19,12 @@ double signedVolume(const Tetrahedron& t) {
 }
 
 /// Displacement under water, positive or negative, summed over tetrahedra.
-struct Displacement {
-    double volume = 0;
-    Vec3 moment = Vec3::Zero();
-    double depthVolume = 0;
-
+struct Tetrahedra : Displacement {
     void add(const Tetrahedron& t, double sign) {
         const double size = sign * std::abs(signedVolume(t));
         volume += size;
-        moment += size / 4 * (t[0].position + t[1].position + t[2].position + t[3].position);
-        depthVolume += size / 4 * (t[0].depth + t[1].depth + t[2].depth + t[3].depth);
+        volumeMoment += size / 4 * (t[0].position + t[1].position + t[2].position + t[3].position);
+        headVolume += size / 4 * (t[0].depth + t[1].depth + t[2].depth + t[3].depth);
     }
 
     /// The part of a tetrahedron that is under water; by the number of its wet corners a tetrahedron, a wedge
@@ -88,7 +84,7 @@ void addReferenceVolume(const TriangleMesh& mesh, const WaterPlane& plane, WetIn
     };
     const DepthPoint apex = corner(mesh.triangles[0][0]);
     const Vec3 apexOnSurface = apex.position + apex.depth * plane.upInBody;
-    Displacement displacement;
+    Tetrahedra displacement;
     for (const Triangle& t : mesh.triangles) {
         const std::array<DepthPoint, 3> triangle{corner(t[0]), corner(t[1]), corner(t[2])};
         const Tetrahedron tetrahedron{apex, triangle[0], triangle[1], triangle[2]};
@@ -101,8 +97,7 @@ void addReferenceVolume(const TriangleMesh& mesh, const WaterPlane& plane, WetIn
         if (const auto segment = waterlineSegment(triangle))
             addSector(*segment, areaVector, apexOnSurface, plane.upInBody, integrals);
     }
-    integrals.addDisplacement(plane.upInBody, displacement.volume, displacement.moment,
-                              displacement.depthVolume);
+    integrals.addDisplacement(plane.upInBody, displacement);
 }
 
 }  // namespace bullet_buoyancy

@@ -103,25 +103,40 @@ void addPiece(const ProfilePiece& piece, const AxisInWater& view, const Hydrosta
     if (query.needsWaterplane() && view.upAcross == 0) addUprightWaterplane(piece, view, integrals);
 }
 
+/// How a plane cuts a sphere.
+struct CutSphere {
+    double centreDepth;  // m
+    double immersion;    // height of what is wet, m
+    double waterline2;   // squared radius of the circle that is cut; 0 if none is, m^2
+
+    CutSphere(const Sphere& sphere, const WaterPlane& plane)
+        : centreDepth(plane.depth(sphere.centre)),
+          immersion(std::clamp(centreDepth + sphere.radius, 0.0, 2 * sphere.radius)),
+          waterline2(immersion * (2 * sphere.radius - immersion)) {}
+
+    /// The integral over the displacement of height above the centre, negated; m^4.
+    double centreMoment() const { return pi / 4 * waterline2 * waterline2; }
+};
+
 }  // namespace
+
+Displacement displacementOf(const Sphere& sphere, const WaterPlane& plane) {
+    const CutSphere cut(sphere, plane);
+    const double volume = pi * cut.immersion * cut.immersion * (sphere.radius - cut.immersion / 3);
+    return {volume, volume * sphere.centre - cut.centreMoment() * plane.upInBody,
+            cut.centreDepth * volume + cut.centreMoment()};
+}
 
 void addSphere(const Sphere& sphere, const WaterPlane& plane, const HydrostaticQuery& query,
                WetIntegrals& integrals) {
-    const double radius = sphere.radius;
-    const double centreDepth = plane.depth(sphere.centre);
-    const double immersion = std::clamp(centreDepth + radius, 0.0, 2 * radius);
-    if (immersion == 0) return;
-    const double volume = pi * immersion * immersion * (radius - immersion / 3);
-    // The circle in which the surface cuts the sphere has this squared radius; 0 if it does not.
-    const double waterline2 = immersion * (2 * radius - immersion);
-    const double centreMoment = pi / 4 * waterline2 * waterline2;  // of height above the centre, negated
-    integrals.addDisplacement(plane.upInBody, volume, volume * sphere.centre - centreMoment * plane.upInBody,
-                              centreDepth * volume + centreMoment);
-    if (query.wettedArea) integrals.wettedArea += 2 * pi * radius * immersion;
+    const CutSphere cut(sphere, plane);
+    if (cut.immersion == 0) return;
+    integrals.addDisplacement(plane.upInBody, displacementOf(sphere, plane));
+    if (query.wettedArea) integrals.wettedArea += 2 * pi * sphere.radius * cut.immersion;
     if (query.needsWaterplane())
         integrals.addWaterplane(
-            pi * waterline2, sphere.centre + centreDepth * plane.upInBody,
-            centreMoment * (Mat3::Identity() - plane.upInBody * plane.upInBody.transpose()));
+            pi * cut.waterline2, sphere.centre + cut.centreDepth * plane.upInBody,
+            cut.centreMoment() * (Mat3::Identity() - plane.upInBody * plane.upInBody.transpose()));
 }
 
 void addSolid(const SolidOfRevolution& solid, const WaterPlane& plane, const HydrostaticQuery& query,
@@ -131,9 +146,8 @@ void addSolid(const SolidOfRevolution& solid, const WaterPlane& plane, const Hyd
     AxialSums sums;
     for (const ProfilePiece& piece : solid.profile)
         addPiece(shifted(piece, shift), view, query, sums, integrals);
-    integrals.addDisplacement(
-        plane.upInBody, sums.volume,
-        sums.volume * view.origin + sums.xMoment * view.axis + sums.sMoment * view.rising, sums.depthVolume);
+    const Vec3 moment = sums.volume * view.origin + sums.xMoment * view.axis + sums.sMoment * view.rising;
+    integrals.addDisplacement(plane.upInBody, {sums.volume, moment, sums.depthVolume});
     if (query.wettedArea)
         for (const auto& [piece, x] : {std::pair(solid.profile.front(), solid.profile.front().begin),
                                        std::pair(solid.profile.back(), solid.profile.back().end)})

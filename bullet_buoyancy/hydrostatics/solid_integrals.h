@@ -4,6 +4,9 @@
 
 namespace bullet_buoyancy {
 
+/// In closed form.
+Displacement displacementOf(const Sphere& sphere, const WaterPlane& plane);
+
 /// Adds what the water does to a sphere, in closed form.
 void addSphere(const Sphere& sphere, const WaterPlane& plane, const HydrostaticQuery& query,
                WetIntegrals& integrals);

@@ -11,4 +11,11 @@ namespace bullet_buoyancy {
 void addHullUnderPlane(const Hull& hull, const WaterPlane& plane, MeshSum sum, const HydrostaticQuery& query,
                        WetIntegrals& integrals);
 
+/// Whether `displacementUnderPlane` has all that is asked for.
+bool isDisplacementAlone(const Hull& hull, const HydrostaticQuery& query);
+
+/// What a closed hull without solids of revolution displaces.
+Displacement displacementUnderPlane(const Hull& hull, const WaterPlane& plane, MeshSum sum,
+                                    Precision precision);
+
 }  // namespace bullet_buoyancy

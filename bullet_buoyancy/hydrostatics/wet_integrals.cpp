@@ -28,4 +28,19 @@ HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, cons
     return result;
 }
 
+HydrostaticResult toResult(const Displacement& displaced, const Pose& pose, const WaterField& water,
+                           const HydrostaticQuery& query) {
+    const double weightDensity = water.density() * query.gravity;
+    HydrostaticResult result;
+    result.forceWorld = weightDensity * displaced.volume * water.frame().upWorld();
+    result.submergedVolume = displaced.volume;
+    if (displaced.volume != 0)
+        result.centreOfBuoyancyFromCom = pose.orientation * (displaced.volumeMoment / displaced.volume);
+    result.torqueAboutCom = result.centreOfBuoyancyFromCom.cross(result.forceWorld);
+    result.potentialEnergy = weightDensity * displaced.headVolume;
+    result.forceErrorBound = weightDensity * displaced.error;
+    result.waterSamples = 1;
+    return result;
+}
+
 }  // namespace bullet_buoyancy

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bullet_buoyancy/hydrostatics/displacement.h"
 #include "bullet_buoyancy/hydrostatics/hydrostatics.h"
 #include "bullet_buoyancy/water/water_plane.h"
 
@@ -21,13 +22,13 @@ struct WetIntegrals {
     int samples = 0;                   ///< of the water
 
     /// A closed piece of the displacement: by Archimedes its pressure acts upward through its centre.
-    void addDisplacement(const Vec3& up, double pieceVolume, const Vec3& pieceMoment,
-                         double pieceHeadVolume) {
-        headNormal -= pieceVolume * up;
-        headTorque -= pieceMoment.cross(up);
-        volume += pieceVolume;
-        volumeMoment += pieceMoment;
-        headVolume += pieceHeadVolume;
+    void addDisplacement(const Vec3& up, const Displacement& piece) {
+        headNormal -= piece.volume * up;
+        headTorque -= piece.volumeMoment.cross(up);
+        volume += piece.volume;
+        volumeMoment += piece.volumeMoment;
+        headVolume += piece.headVolume;
+        error += piece.error * up.cwiseAbs();
     }
 
     /// A piece of the waterplane of given area, centre and second moment about that centre.
@@ -42,5 +43,9 @@ struct WetIntegrals {
 /// stiffness if it is asked for. `pushesInBody`: minus the gradient of the head, the vertical in flat water.
 HydrostaticResult toResult(const WetIntegrals& integrals, const Pose& pose, const WaterField& water,
                            const HydrostaticQuery& query, const Vec3& pushesInBody);
+
+/// The same of a displacement alone, in flat water, without extras.
+HydrostaticResult toResult(const Displacement& displaced, const Pose& pose, const WaterField& water,
+                           const HydrostaticQuery& query);
 
 }  // namespace bullet_buoyancy
