@@ -20,6 +20,7 @@ Vec3 waterVelocityAt(const WaterField& field, const Vec3& pointWorld, double tim
 
 Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
     HydrostaticQuery query{m_water.gravity, m_time, m_water.settings.pressure, m_water.settings.tolerance};
+    query.precision = m_water.settings.precision;
     query.stiffness = stiffness != nullptr;
     const HydrostaticResult pressure = evaluate(*m_def.hull, pose, m_water.field, query);
     m_samples += pressure.waterSamples;

@@ -50,6 +50,24 @@ TEST(BuoyancyAction, ReportsWhatTheEvaluatorSaysAtTheNewPose) {
     EXPECT_NEAR(report.gravitationalEnergy, 240 * standardGravity * now.position.z(), poseRounding * weight);
 }
 
+TEST(BuoyancyAction, SumsInTheSettingsPrecision) {
+    FloatScene scene;
+    BuoyancySettings settings;
+    settings.precision = Precision::single;
+    BuoyancyAction inSingle(scene.water(), settings);
+    scene.world().addAction(&inSingle);
+    btRigidBody& box =
+        scene.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.4, 0.3)), 240, at({0, 0, 0.1}));
+    ASSERT_TRUE(inSingle.addBody(box));
+    scene.run(10, dt);
+    const BodyReport report = inSingle.report(box);
+    scene.world().removeAction(&inSingle);
+    EXPECT_GT(report.forceErrorBound, 0);
+    EXPECT_LT(report.forceErrorBound, 1e-5 * 480 * standardGravity);
+    // At rest where it displaces its weight; swings of 10 s ago have faded to a thousandth.
+    EXPECT_NEAR(report.submergedVolume, 0.24, 1e-3 * 0.48);
+}
+
 /// One stepSimulation of many substeps, and many of one: dt is a binary fraction, so that Bullet's clock is
 /// exact.
 TEST(BuoyancyAction, SubstepsInOneCallDoWhatTheyDoInMany) {
