@@ -106,10 +106,11 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     prepareKick(inertia, dt);
     const bool owed = isHeld();  // others will take it: the body has it only when it leaves
     if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
-    account(inertia, calm, foreseen);
-    if (def.scheme == StepScheme::guarded)
+    m_energy = account(inertia, calm, foreseen);
+    if (def.scheme == StepScheme::guarded && m_energy > m_available) {
         limitEnergy(m_motion, inertia, m_load, {m_available, now.up(), m_isUnresolved});
-    m_energy = totalEnergy(m_motion, inertia, m_load);
+        m_energy = totalEnergy(m_motion, inertia, m_load);
+    }
     m_settledVelocity = m_motion.velocity;
     m_settledSpin = m_motion.spin;
 
@@ -124,7 +125,8 @@ void BodyMotion::prepareKick(const Inertia& inertia, double dt) {
 
 /// The second half of the load of a step, or a share of it.
 Dissipation BodyMotion::endStep(Motion& motion, const Inertia& inertia, double share) const {
-    if (m_isExplicit) return m_kick.apply(motion, inertia, share == 1 ? m_push : share * m_push);
+    const bool byArrivalAlone = m_weightOfArrival == 1;
+    if (byArrivalAlone) return m_kick.apply(motion, inertia, share == 1 ? m_push : share * m_push);
     return m_kick.apply(motion, inertia, share * (m_carriedForce + m_weightOfArrival * m_load.force),
                         share * (m_carriedTorque + m_weightOfArrival * m_load.torque));
 }
@@ -157,8 +159,8 @@ void BodyMotion::noteOthers() {
     m_arrivalMomentum = m_motion.momentum;
 }
 
-/// What may be there from now on, and by whom it came.
-void BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
+/// What is there now, J; notes what may be there from now on, and by whom it came.
+double BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
     const double now = totalEnergy(m_motion, inertia, m_load);
     spend(now);
     if (m_isNew) {
@@ -178,6 +180,7 @@ void BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
     }
     if (m_isNew) m_disturbed = false;
     m_isNew = m_damps = false;
+    return now;
 }
 
 /// Of their impulses, at the mean of the body's motions at the two poses: none where they hold it.
@@ -202,7 +205,6 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_isCalm = ahead.isCalm();
     if (!m_isCalm) m_available = m_energy;
     m_workOfField = 0;
-    m_isExplicit = true;
     m_carriedForce.setZero();
     m_carriedTorque.setZero();
     m_weightOfArrival = 1;
@@ -338,7 +340,6 @@ Flight BodyMotion::flyImplicitly(const FlightStart& start, const Inertia& inerti
     m_carriedForce = weights.lastOfStart * m_load.force;
     m_carriedTorque = weights.lastOfStart * m_load.torque;
     m_weightOfArrival = weights.lastOfEnd;
-    m_isExplicit = false;
     m_damps = implicitness > 0;
     return flight;
 }
