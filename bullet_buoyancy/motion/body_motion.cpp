@@ -210,7 +210,7 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_weightOfArrival = 1;
     flyExplicitly(inertia, def, dt);
     m_isUnresolved = m_flight.departure.spin.squaredNorm() * dt * dt > def.turnLimit * def.turnLimit;
-    if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, ahead, dt);
+    if (m_knowsLoadAhead) flyWithCare(inertia, def, ahead, dt);
     m_available += m_workOfField;
     m_dissipated = m_flight.dissipated;
     m_disturbed = false;
@@ -236,12 +236,12 @@ void BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, do
     m_flight.arrival = fly(departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
 }
 
-/// Looks at where the explicit flight would end. A leapfrog strays in its turning points by phase^4 / 8 of
-/// the energy of an oscillation, whose motion has come down to phase^2 / 4 of it by then. A flight that ends
-/// where energy forbids is not taken.
-Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
-                               const LoadField& ahead, double dt) {
-    explicitFlight.load = ahead.at(explicitFlight.arrival.pose);
+/// Looks at where the explicit flight under way would end, and takes another if need be. A leapfrog strays in
+/// its turning points by phase^4 / 8 of the energy of an oscillation, whose motion has come down to phase^2 /
+/// 4 of it by then. A flight that ends where energy forbids is not taken.
+void BodyMotion::flyWithCare(const Inertia& inertia, const StepperDef& def, const LoadField& ahead,
+                             double dt) {
+    m_flight.load = ahead.at(m_flight.arrival.pose);
     ++m_evaluations;
     Mat6 stiffness;
     const auto lookFromHere = [&] {
@@ -249,7 +249,7 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
         return ahead.at(m_motion.pose, &stiffness);
     };
     if (!m_isCalm) m_loadFromHere = lookFromHere();
-    double phase2 = phaseSquared(loadFromHere(), explicitFlight, inertia, dt);
+    double phase2 = phaseSquared(loadFromHere(), m_flight, inertia, dt);
     if (!m_isCalm)
         phase2 = std::max(phase2, phaseSquaredOfField(m_load, m_loadFromHere, stiffness,
                                                       m_motion.pose.orientation, inertia, def.size, dt));
@@ -259,9 +259,9 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
         return isWithinEnergy(flight, inertia, ahead.up(), strayed, dt);
     };
     const double stillExplicit = m_disturbed ? resolvedPhase : explicitPhase;
-    if (phase <= stillExplicit && isAllowed(explicitFlight, phase2 / 2) &&
-        (m_isCalm || keepsEnergy(explicitFlight, inertia, stillExplicit, dt)))
-        return explicitFlight;
+    if (phase <= stillExplicit && isAllowed(m_flight, phase2 / 2) &&
+        (m_isCalm || keepsEnergy(m_flight, inertia, stillExplicit, dt)))
+        return;
 
     m_isUnresolved = true;
     if (m_isCalm) lookFromHere();
@@ -269,11 +269,10 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
                             m_isCalm ? nullptr : &m_loadFromHere};
     constexpr double converged = 1e-3;  // what Newton's method leaves
     const double implicitness = smoothStep((phase - resolvedPhase) / (unresolvedPhase - resolvedPhase));
-    Flight flight = flyImplicitly(start, inertia, ahead, implicitness, dt);
-    if (implicitness < 1 && !isAllowed(flight, converged))
-        flight = flyImplicitly(start, inertia, ahead, 1, dt);
-    if (m_damps && !isAllowed(flight, 0)) flight = slideAlong(inertia, ahead, dt);
-    return flight;
+    m_flight = flyImplicitly(start, inertia, ahead, implicitness, dt);
+    if (implicitness < 1 && !isAllowed(m_flight, converged))
+        m_flight = flyImplicitly(start, inertia, ahead, 1, dt);
+    if (m_damps && !isAllowed(m_flight, 0)) m_flight = slideAlong(inertia, ahead, dt);
 }
 
 /// Across `up`, without turning: in a calm field the load stays as it is.
@@ -306,10 +305,11 @@ double BodyMotion::workOfField(const Flight& flight) const {
 /// without than it began.
 bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed,
                                 double dt) const {
+    if (flight.load.potential <= loadFromHere().potential) return true;
     const double moving = kineticEnergy(m_leaving, inertia) - keptEnergy(m_leaving, inertia, up);
     const FlightEnd end = m_isCalm ? FlightEnd{flight.arrival, m_available} : endOf(flight, inertia, dt);
     const double limit = end.available - keptEnergy(end.motion, inertia, up) + strayed * moving;
-    return flight.load.potential <= std::max(limit, loadFromHere().potential);
+    return flight.load.potential <= limit;
 }
 
 /// Where the field is not calm: the load acts across `up`, too, and field and medium may give.

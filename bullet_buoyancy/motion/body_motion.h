@@ -97,8 +97,7 @@ private:
     bool isHeld() const;
     bool mustLookAhead(const StepperDef& def, double dt) const;
     void flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt);
-    Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
-                       const LoadField& ahead, double dt);
+    void flyWithCare(const Inertia& inertia, const StepperDef& def, const LoadField& ahead, double dt);
     Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& ahead,
                          double implicitness, double dt);
     Flight slideAlong(const Inertia& inertia, const LoadField& ahead, double dt);
