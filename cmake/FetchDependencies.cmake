@@ -57,6 +57,9 @@ target_include_directories(bullet_buoyancy::bullet_physics SYSTEM INTERFACE "${b
 if(BULLET_BUOYANCY_DOUBLE_PRECISION)
     target_compile_definitions(bullet_buoyancy::bullet_physics INTERFACE BT_USE_DOUBLE_PRECISION)
 endif()
+if(BULLET2_MULTITHREADING)  # whoever sees Bullet's headers must see them as Bullet was built
+    target_compile_definitions(bullet_buoyancy::bullet_physics INTERFACE BT_THREADSAFE=1)
+endif()
 
 add_library(Eigen3::Eigen INTERFACE IMPORTED)
 target_include_directories(Eigen3::Eigen SYSTEM INTERFACE "${eigen3_SOURCE_DIR}")

@@ -19,7 +19,7 @@ endif()
 
 set(skipped "")
 if(NOT PRESETS)
-    set(PRESETS release-float release-double sanitize-float sanitize-double)
+    set(PRESETS release-float release-double sanitize-float sanitize-double sanitize-thread-double)
     set(clang_presets clang-float clang-double)
     find_program(clang clang++ NO_CACHE)
     if(clang)

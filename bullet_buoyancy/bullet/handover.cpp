@@ -72,12 +72,12 @@ void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning
     const Vec3 spin = turnedOff || turning == Turning::byMomentum
                           ? Vec3(rotationVector(motion.target().orientation * from.conjugate()) * (1 / dt))
                           : motion.departure().spin;
-    body.setLinearVelocity(toBullet(velocity - gravityStep(body, dt)));
     const double turn2 = spin.squaredNorm() * dt * dt;  // past the limit where Bullet's pose lags behind ours
     const bool isLimited = turn2 > square(largestTurn);
-    body.setAngularVelocity(toBullet(isLimited ? Vec3(largestTurn / std::sqrt(turn2) * spin) : spin));
-    m_velocity = body.getLinearVelocity();
-    m_spin = body.getAngularVelocity();
+    m_velocity = toBullet(velocity - gravityStep(body, dt));
+    m_spin = toBullet(isLimited ? Vec3(largestTurn / std::sqrt(turn2) * spin) : spin);
+    body.setLinearVelocity(m_velocity);
+    body.setAngularVelocity(m_spin);
     m_start = m_pose;
     m_dt = dt;
 }

@@ -106,10 +106,11 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     prepareKick(inertia, dt);
     const bool owed = isHeld();  // others will take it: the body has it only when it leaves
     if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
-    account(inertia, calm, foreseen);
-    if (def.scheme == StepScheme::guarded)
+    m_energy = account(inertia, calm, foreseen);
+    if (def.scheme == StepScheme::guarded && m_energy > m_available) {
         limitEnergy(m_motion, inertia, m_load, {m_available, now.up(), m_isUnresolved});
-    m_energy = totalEnergy(m_motion, inertia, m_load);
+        m_energy = totalEnergy(m_motion, inertia, m_load);
+    }
     m_settledVelocity = m_motion.velocity;
     m_settledSpin = m_motion.spin;
 
@@ -124,7 +125,8 @@ void BodyMotion::prepareKick(const Inertia& inertia, double dt) {
 
 /// The second half of the load of a step, or a share of it.
 Dissipation BodyMotion::endStep(Motion& motion, const Inertia& inertia, double share) const {
-    if (m_isExplicit) return m_kick.apply(motion, inertia, share == 1 ? m_push : share * m_push);
+    const bool byArrivalAlone = m_weightOfArrival == 1;
+    if (byArrivalAlone) return m_kick.apply(motion, inertia, share == 1 ? m_push : share * m_push);
     return m_kick.apply(motion, inertia, share * (m_carriedForce + m_weightOfArrival * m_load.force),
                         share * (m_carriedTorque + m_weightOfArrival * m_load.torque));
 }
@@ -157,8 +159,8 @@ void BodyMotion::noteOthers() {
     m_arrivalMomentum = m_motion.momentum;
 }
 
-/// What may be there from now on, and by whom it came.
-void BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
+/// What is there now, J; notes what may be there from now on, and by whom it came.
+double BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
     const double now = totalEnergy(m_motion, inertia, m_load);
     spend(now);
     if (m_isNew) {
@@ -178,6 +180,7 @@ void BodyMotion::account(const Inertia& inertia, bool calm, bool foreseen) {
     }
     if (m_isNew) m_disturbed = false;
     m_isNew = m_damps = false;
+    return now;
 }
 
 /// Of their impulses, at the mean of the body's motions at the two poses: none where they hold it.
@@ -202,13 +205,12 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_isCalm = ahead.isCalm();
     if (!m_isCalm) m_available = m_energy;
     m_workOfField = 0;
-    m_isExplicit = true;
     m_carriedForce.setZero();
     m_carriedTorque.setZero();
     m_weightOfArrival = 1;
     flyExplicitly(inertia, def, dt);
     m_isUnresolved = m_flight.departure.spin.squaredNorm() * dt * dt > def.turnLimit * def.turnLimit;
-    if (m_knowsLoadAhead) m_flight = flyWithCare(m_flight, inertia, def, ahead, dt);
+    if (m_knowsLoadAhead) flyWithCare(inertia, def, ahead, dt);
     m_available += m_workOfField;
     m_dissipated = m_flight.dissipated;
     m_disturbed = false;
@@ -234,12 +236,12 @@ void BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, do
     m_flight.arrival = fly(departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
 }
 
-/// Looks at where the explicit flight would end. A leapfrog strays in its turning points by phase^4 / 8 of
-/// the energy of an oscillation, whose motion has come down to phase^2 / 4 of it by then. A flight that ends
-/// where energy forbids is not taken.
-Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
-                               const LoadField& ahead, double dt) {
-    explicitFlight.load = ahead.at(explicitFlight.arrival.pose);
+/// Looks at where the explicit flight under way would end, and takes another if need be. A leapfrog strays in
+/// its turning points by phase^4 / 8 of the energy of an oscillation, whose motion has come down to phase^2 /
+/// 4 of it by then. A flight that ends where energy forbids is not taken.
+void BodyMotion::flyWithCare(const Inertia& inertia, const StepperDef& def, const LoadField& ahead,
+                             double dt) {
+    m_flight.load = ahead.at(m_flight.arrival.pose);
     ++m_evaluations;
     Mat6 stiffness;
     const auto lookFromHere = [&] {
@@ -247,7 +249,7 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
         return ahead.at(m_motion.pose, &stiffness);
     };
     if (!m_isCalm) m_loadFromHere = lookFromHere();
-    double phase2 = phaseSquared(loadFromHere(), explicitFlight, inertia, dt);
+    double phase2 = phaseSquared(loadFromHere(), m_flight, inertia, dt);
     if (!m_isCalm)
         phase2 = std::max(phase2, phaseSquaredOfField(m_load, m_loadFromHere, stiffness,
                                                       m_motion.pose.orientation, inertia, def.size, dt));
@@ -257,9 +259,9 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
         return isWithinEnergy(flight, inertia, ahead.up(), strayed, dt);
     };
     const double stillExplicit = m_disturbed ? resolvedPhase : explicitPhase;
-    if (phase <= stillExplicit && isAllowed(explicitFlight, phase2 / 2) &&
-        (m_isCalm || keepsEnergy(explicitFlight, inertia, stillExplicit, dt)))
-        return explicitFlight;
+    if (phase <= stillExplicit && isAllowed(m_flight, phase2 / 2) &&
+        (m_isCalm || keepsEnergy(m_flight, inertia, stillExplicit, dt)))
+        return;
 
     m_isUnresolved = true;
     if (m_isCalm) lookFromHere();
@@ -267,11 +269,10 @@ Flight BodyMotion::flyWithCare(Flight explicitFlight, const Inertia& inertia, co
                             m_isCalm ? nullptr : &m_loadFromHere};
     constexpr double converged = 1e-3;  // what Newton's method leaves
     const double implicitness = smoothStep((phase - resolvedPhase) / (unresolvedPhase - resolvedPhase));
-    Flight flight = flyImplicitly(start, inertia, ahead, implicitness, dt);
-    if (implicitness < 1 && !isAllowed(flight, converged))
-        flight = flyImplicitly(start, inertia, ahead, 1, dt);
-    if (m_damps && !isAllowed(flight, 0)) flight = slideAlong(inertia, ahead, dt);
-    return flight;
+    m_flight = flyImplicitly(start, inertia, ahead, implicitness, dt);
+    if (implicitness < 1 && !isAllowed(m_flight, converged))
+        m_flight = flyImplicitly(start, inertia, ahead, 1, dt);
+    if (m_damps && !isAllowed(m_flight, 0)) m_flight = slideAlong(inertia, ahead, dt);
 }
 
 /// Across `up`, without turning: in a calm field the load stays as it is.
@@ -304,10 +305,11 @@ double BodyMotion::workOfField(const Flight& flight) const {
 /// without than it began.
 bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed,
                                 double dt) const {
+    if (flight.load.potential <= loadFromHere().potential) return true;
     const double moving = kineticEnergy(m_leaving, inertia) - keptEnergy(m_leaving, inertia, up);
     const FlightEnd end = m_isCalm ? FlightEnd{flight.arrival, m_available} : endOf(flight, inertia, dt);
     const double limit = end.available - keptEnergy(end.motion, inertia, up) + strayed * moving;
-    return flight.load.potential <= std::max(limit, loadFromHere().potential);
+    return flight.load.potential <= limit;
 }
 
 /// Where the field is not calm: the load acts across `up`, too, and field and medium may give.
@@ -338,7 +340,6 @@ Flight BodyMotion::flyImplicitly(const FlightStart& start, const Inertia& inerti
     m_carriedForce = weights.lastOfStart * m_load.force;
     m_carriedTorque = weights.lastOfStart * m_load.torque;
     m_weightOfArrival = weights.lastOfEnd;
-    m_isExplicit = false;
     m_damps = implicitness > 0;
     return flight;
 }

@@ -92,13 +92,12 @@ private:
     void evaluate(const LoadField& now);
     void noteOthers();
     void spend(double now);
-    void account(const Inertia& inertia, bool calm, bool foreseen);
+    double account(const Inertia& inertia, bool calm, bool foreseen);
     double workOfOthers(const Inertia& inertia) const;
     bool isHeld() const;
     bool mustLookAhead(const StepperDef& def, double dt) const;
     void flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt);
-    Flight flyWithCare(Flight explicitFlight, const Inertia& inertia, const StepperDef& def,
-                       const LoadField& ahead, double dt);
+    void flyWithCare(const Inertia& inertia, const StepperDef& def, const LoadField& ahead, double dt);
     Flight flyImplicitly(const FlightStart& start, const Inertia& inertia, const LoadField& ahead,
                          double implicitness, double dt);
     Flight slideAlong(const Inertia& inertia, const LoadField& ahead, double dt);
@@ -117,7 +116,6 @@ private:
     Flight m_flight;                     // the one under way
     bool m_knowsLoadAhead = false;       // it was evaluated at the flight's arrival
     bool m_isCalm = true;                // the field that the flight was shown
-    bool m_isExplicit = true;            // the flight: the kick that ends it is by the load there alone
     Vec3 m_carriedForce = Vec3::Zero();  // what the kick that ends the flight takes from its start
     Vec3 m_carriedTorque = Vec3::Zero();
     double m_weightOfArrival = 1;  // of the load there in that kick

@@ -18,22 +18,22 @@ struct Dissipation {
     }
 };
 
-/// A constant force (N) and torque (N m) on a body, and how it answers at its orientation.
+/// A constant force and torque on a body, by how it answers at its orientation.
 struct Push {
-    Vec3 force, torque;
+    Vec3 torque;               ///< N m
     Vec3 acceleration;         ///< m/s^2
     Vec3 angularAcceleration;  ///< rad/s^2
 
     Push() : Push(Inertia(), Eigen::Quaterniond::Identity(), Vec3::Zero(), Vec3::Zero()) {}
-    Push(const Inertia& inertia, const Eigen::Quaterniond& orientation, const Vec3& forceOnIt,
-         const Vec3& torqueOnIt)
-        : force(forceOnIt),
-          torque(torqueOnIt),
-          acceleration(inertia.velocityChange(forceOnIt)),
-          angularAcceleration(inertia.spinChange(orientation, torqueOnIt)) {}
+    /// `force` in N.
+    Push(const Inertia& inertia, const Eigen::Quaterniond& orientation, const Vec3& force,
+         const Vec3& itsTorque)
+        : torque(itsTorque),
+          acceleration(inertia.velocityChange(force)),
+          angularAcceleration(inertia.spinChange(orientation, itsTorque)) {}
 
     friend Push operator*(double share, Push push) {
-        for (Vec3* part : {&push.force, &push.torque, &push.acceleration, &push.angularAcceleration})
+        for (Vec3* part : {&push.torque, &push.acceleration, &push.angularAcceleration})
             *part *= share;
         return push;
     }
@@ -57,6 +57,7 @@ struct Kick {
 
     /// `push`: over the half step, at the motion's orientation.
     Dissipation apply(Motion& motion, const Inertia& inertia, const Push& push) const;
+    /// `force` in N and `torque` in N m, likewise.
     Dissipation apply(Motion& motion, const Inertia& inertia, const Vec3& force, const Vec3& torque) const {
         return apply(motion, inertia, Push(inertia, motion.pose.orientation, force, torque));
     }

@@ -13,7 +13,7 @@
 namespace bullet_buoyancy::test {
 namespace {
 
-constexpr int steps = 120;
+constexpr int steps = 30;
 constexpr int bodies = 100;  // a few pieces, the last of them smaller
 
 using Bits = std::vector<double>;
