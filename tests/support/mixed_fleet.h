@@ -44,9 +44,9 @@ private:
     void makeShapes() {
         m_shapes.push_back(std::make_unique<btBoxShape>(btVector3(0.5, 0.5, 0.25)));
         m_shapes.push_back(std::make_unique<btSphereShape>(btScalar(0.4)));
-        m_shapes.push_back(std::make_unique<btCylinderShapeZ>(btVector3(0.3, 0.3, 0.5)));
+        m_shapes.push_back(std::make_unique<btCylinderShapeZ>(btVector3(0.25, 0.25, 0.5)));
         auto catamaran = std::make_unique<btCompoundShape>();
-        for (btScalar side : {-1, 1})
+        for (const btScalar side : {btScalar(-1), btScalar(1)})
             catamaran->addChildShape(btTransform(btQuaternion::getIdentity(), {0, side / 2, 0}),
                                      m_shapes.front().get());
         m_shapes.push_back(std::move(catamaran));
