@@ -6,6 +6,9 @@
 
 #include "bullet_buoyancy/bullet/buoyancy_action.h"
 #include "bullet_buoyancy/bullet/hull_from_shape.h"
+#include "bullet_buoyancy/hydrostatics/evaluate.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_batch.h"
+#include "bullet_buoyancy/hydrostatics/evaluate_clustered.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
 #include "bullet_buoyancy/motion/damping.h"

@@ -9,7 +9,6 @@
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/bullet/draw_floating_body.h"
-#include "bullet_buoyancy/bullet/hull_from_shape.h"
 
 namespace bullet_buoyancy {
 
@@ -84,7 +83,7 @@ BodyStatus BuoyancyAction::addBody(btRigidBody& body, const BodyDef& def) {
 
     BodyDef complete = def;
     if (!complete.hull) {
-        HullResult result = hullFromShape(*body.getCollisionShape());
+        HullResult result = m_hulls.of(*body.getCollisionShape());
         status.hull = result.status;
         if (!result.hull) {
             status.error = BodyError::badHull;

@@ -11,6 +11,7 @@
 #include "bullet_buoyancy/bullet/buoyancy_settings.h"
 #include "bullet_buoyancy/bullet/floating_body.h"
 #include "bullet_buoyancy/bullet/precision.h"
+#include "bullet_buoyancy/bullet/shared_hulls.h"
 
 namespace bullet_buoyancy {
 
@@ -43,7 +44,7 @@ public:
     BuoyancyAction& operator=(const BuoyancyAction&) = delete;
 
     /// Floats a dynamic body from the next substep on. Refused bodies are left as they were; the status says
-    /// why.
+    /// why. A shape is read when the first of the bodies that share it is added.
     BodyStatus addBody(btRigidBody& body, const BodyDef& def = {});
 
     /// Gives the body back with the angular damping and gyroscopic flags that it came with. False if not
@@ -76,6 +77,7 @@ private:
     const WaterField* m_water;
     BuoyancySettings m_settings;
     double m_time = 0;
+    SharedHulls m_hulls;
     std::vector<FloatingBody> m_bodies;
     std::unordered_map<const btRigidBody*, std::size_t> m_index;
 };

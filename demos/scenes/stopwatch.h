@@ -2,6 +2,7 @@
 
 #include <BulletDynamics/Dynamics/btActionInterface.h>
 
+#include <chrono>
 #include <ctime>
 #include <vector>
 
@@ -16,15 +17,21 @@ inline double processorTime() {
     return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
+/// By the clock on the wall, s: for what runs in several threads.
+inline double wallTime() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Times an action within the world's step, of many bodies: add it to the world in the action's place.
 class Stopwatch : public btActionInterface {
 public:
-    explicit Stopwatch(btActionInterface& action) : m_action(action) {}
+    explicit Stopwatch(btActionInterface& action, double (*clock)() = processorTime)
+        : m_action(action), m_clock(clock) {}
 
     void updateAction(btCollisionWorld* world, btScalar dt) override {
-        const double start = processorTime();
+        const double start = m_clock();
         m_action.updateAction(world, dt);
-        m_times.push_back((processorTime() - start) * 1e9);
+        m_times.push_back((m_clock() - start) * 1e9);
     }
     void debugDraw(btIDebugDraw*) override {}
 
@@ -38,6 +45,7 @@ public:
 
 private:
     btActionInterface& m_action;
+    double (*m_clock)();
     std::vector<double> m_times;
 };
 

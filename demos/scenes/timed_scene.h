@@ -12,13 +12,14 @@ namespace bullet_buoyancy::scenes {
 /// Bodies of about a metre, by their shapes.
 struct NamedShapes {
     const char* name;
-    std::function<std::unique_ptr<btCollisionShape>(int body)> makeShape;
+    int kinds;  ///< bodies have them in turn
+    std::function<std::unique_ptr<btCollisionShape>(int kind)> makeShape;
 };
 
 /// Boxes; and boxes, convex hulls, balls, capsules and cylinders in turn.
 std::vector<NamedShapes> shapesOfScenes();
 
-/// Processor time of a substep, ns.
+/// Time of a substep, ns.
 struct SubstepTime {
     double whole;   ///< Bullet and the action
     double action;  ///< the action alone
@@ -27,7 +28,7 @@ struct SubstepTime {
 /// A world of bodies half as dense as the water, which float on a grid, apart from each other.
 class TimedScene {
 public:
-    TimedScene(const NamedShapes& shapes, int bodies);
+    TimedScene(const NamedShapes& shapes, int bodies, double (*clock)() = processorTime);
     ~TimedScene();
 
     /// One substep of 1/60 s.
@@ -35,7 +36,8 @@ public:
 
 private:
     FloatScene m_scene;
-    Stopwatch m_stopwatch{m_scene.floater()};
+    double (*m_clock)();
+    Stopwatch m_stopwatch{m_scene.floater(), m_clock};
 };
 
 }  // namespace bullet_buoyancy::scenes

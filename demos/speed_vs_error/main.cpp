@@ -2,9 +2,11 @@
 #include <cinttypes>
 #include <cstdio>
 #include <fstream>
+#include <thread>
 
 #include "bullet_buoyancy/water/flat_water.h"
 #include "scenes/statistics.h"
+#include "scenes/thread_scheduler.h"
 #include "scenes/timed_scene.h"
 #include "speed_vs_error/machine.h"
 #include "speed_vs_error/options.h"
@@ -48,22 +50,42 @@ std::vector<SpeedRow> studyAll(bool quick, Fnv1a& hash) {
     return all;
 }
 
+/// Medians, after a tenth in which the bodies settle.
+SubstepTime timeOf(TimedScene& scene, int substeps) {
+    std::vector<double> whole, action;
+    for (int i = 0; i < substeps; ++i) {
+        const SubstepTime time = scene.step();
+        if (i < substeps / 10) continue;
+        whole.push_back(time.whole);
+        action.push_back(time.action);
+    }
+    return {median(whole), median(action)};
+}
+
 void printScenes(int bodies, int substeps) {
-    std::printf("\n%-28s %12s %14s %12s %9s %11s\n", "a world in flat water", "us a substep", "Bullet alone",
-                "the action", "share, %", "ns a body");
+    std::printf("\n%-28s %12s %14s %12s %14s %11s\n", "a world in flat water", "us a substep", "Bullet alone",
+                "the action", "of Bullet's, %", "ns a body");
     for (const NamedShapes& shapes : shapesOfScenes()) {
         TimedScene scene(shapes, bodies);
-        std::vector<double> whole, bullet, action;
-        for (int i = 0; i < substeps; ++i) {
-            const SubstepTime time = scene.step();
-            if (i < substeps / 10) continue;  // from where they were put to how they float
-            whole.push_back(time.whole / 1000);
-            bullet.push_back((time.whole - time.action) / 1000);
-            action.push_back(time.action / 1000);
-        }
-        std::printf("%4d %-23s %12.0f %14.0f %12.0f %9.1f %11.0f\n", bodies, shapes.name, median(whole),
-                    median(bullet), median(action), 100 * median(action) / median(whole),
-                    1000 * median(action) / bodies);
+        const SubstepTime time = timeOf(scene, substeps);
+        const double bullet = time.whole - time.action;
+        std::printf("%4d %-23s %12.0f %14.0f %12.0f %14.1f %11.0f\n", bodies, shapes.name, time.whole / 1000,
+                    bullet / 1000, time.action / 1000, 100 * time.action / bullet, time.action / bodies);
+    }
+}
+
+/// By the clock on the wall.
+void printThreads(int bodies, int substeps) {
+    std::printf("\n%-28s %12s %14s\n", "the action's threads", "us a substep", "times as fast");
+    double alone = 0;
+    for (int threads : {1, 2, 4}) {
+        if (threads > int(std::thread::hardware_concurrency())) break;
+        ThreadScheduler scheduler(threads);
+        TimedScene scene(shapesOfScenes().front(), bodies, wallTime);
+        const double time = timeOf(scene, substeps).action;
+        if (threads == 1) alone = time;
+        std::printf("%4d boxes, %d %-14s %12.0f %14.2f\n", bodies, threads,
+                    threads == 1 ? "thread" : "threads", time / 1000, alone / time);
     }
 }
 
@@ -75,10 +97,9 @@ int run(const SpeedOptions& options) {
         describeMachine().c_str());
     Fnv1a hash;
     const std::vector<SpeedRow> rows = studyAll(options.quick, hash);
-    if (options.quick)
-        printScenes(200, 60);
-    else
-        printScenes(1000, 600);
+    const int bodies = options.quick ? 200 : 1000, substeps = options.quick ? 60 : 600;
+    printScenes(bodies, substeps);
+    printThreads(bodies, substeps);
     int broken = 0;
     for (const SpeedRow& row : rows)
         broken += row.broken;

@@ -7,8 +7,8 @@
 
 #include "bullet_buoyancy/water/flat_water.h"
 #include "scenes/study_seas.h"
+#include "scenes/thread_scheduler.h"
 #include "support/mixed_fleet.h"
-#include "support/thread_scheduler.h"
 
 namespace bullet_buoyancy::test {
 namespace {
@@ -71,7 +71,7 @@ Bits afterwardsInAWorldMt(const WaterField& water) {
 void expectSameByAnyNumberOfThreads(const WaterField& water) {
     const Bits byItself = afterwards(water);
     for (int threads : {1, 2, 4, 8}) {
-        ThreadScheduler scheduler(threads);
+        scenes::ThreadScheduler scheduler(threads);
         EXPECT_TRUE(isSame(afterwards(water), byItself)) << threads;
         EXPECT_EQ(scheduler.handedOver(), threads > 1 ? steps : 0);
     }
@@ -90,7 +90,7 @@ TEST(ManyBodies, AreSteppedAlikeByAnyNumberOfThreadsInWaves) {
 
 TEST(ManyBodies, AreNotSharedOutIfTheyAreFew) {
     const FlatWater water(WaterFrame::zUp());
-    ThreadScheduler scheduler(4);
+    scenes::ThreadScheduler scheduler(4);
     afterwards(water, 20);
     EXPECT_EQ(scheduler.handedOver(), 0);
 }
@@ -100,10 +100,10 @@ TEST(ManyBodies, FloatInAWorldMt) {
     const FlatWater water(WaterFrame::zUp());
     Bits byOne;
     {
-        ThreadScheduler scheduler(1);
+        scenes::ThreadScheduler scheduler(1);
         byOne = afterwardsInAWorldMt(water);
     }
-    ThreadScheduler scheduler(4);
+    scenes::ThreadScheduler scheduler(4);
     EXPECT_TRUE(isSame(afterwardsInAWorldMt(water), byOne));
     EXPECT_GT(scheduler.handedOver(), 0);
 }

@@ -8,13 +8,13 @@
 #include <thread>
 #include <vector>
 
-namespace bullet_buoyancy::test {
+namespace bullet_buoyancy::scenes {
 
 /// A task scheduler for Bullet with threads that live as long as it does, so that it serves a Bullet that was
 /// built without one. Pieces of work are dealt out in turn. While it lives, it is Bullet's.
 class ThreadScheduler final : public btITaskScheduler {
 public:
-    explicit ThreadScheduler(int threads) : btITaskScheduler("tests"), m_threads(threads) {
+    explicit ThreadScheduler(int threads) : btITaskScheduler("threads"), m_threads(threads) {
         btSetTaskScheduler(this);
         for (int i = 1; i < threads; ++i)
             m_workers.emplace_back([this, i] { work(i); });
@@ -85,4 +85,4 @@ private:
     int m_round = 0, m_busy = 0, m_handedOver = 0;
 };
 
-}  // namespace bullet_buoyancy::test
+}  // namespace bullet_buoyancy::scenes
