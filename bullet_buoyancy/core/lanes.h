@@ -37,6 +37,7 @@ template <>
 struct LanesOf<double> {
     typedef double Numbers __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
     typedef std::int64_t Truths __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
+    typedef std::uint64_t Bits __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
 };
 
 #else
@@ -45,6 +46,7 @@ template <typename Real>
 struct LanesOf {
     using Numbers = Real;
     using Truths = bool;
+    using Bits = std::uint64_t;
 };
 
 #endif
@@ -62,6 +64,12 @@ template <typename Real>
 inline Lanes<Real> spread(Real value) {
     return Lanes<Real>{} + value;
 }
+
+/// Numbers and the bits that they are made of.
+union NumbersOrBits {
+    Lanes<double> numbers;
+    LanesOf<double>::Bits bits;
+};
 
 /// From an address that is a multiple of the register's size.
 template <typename Real>

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "bullet_buoyancy/water/third_derivative.h"
+#include "bullet_buoyancy/water/wave_kernels.h"
 
 namespace bullet_buoyancy {
 
@@ -62,80 +63,34 @@ Trochoid moved(Trochoid at, const Vec2& step) {
 
 /// The particle that rests at `rest`, seen from `place`; with its third derivatives or with zeros for them.
 template <bool withThird>
-Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2& rest, const Vec2& place) {
-    // Two lanes at a time: their sums nearly fit into the registers of any machine with vectors.
-    using Pair = Eigen::Array2d;
-    Lanes sine, cosine;
-    Pair x = Pair::Zero(), y = x, z = x, dx = x, dy = x, xx = x, xy = x, yy = x;
-    Pair sagXX = x, sagXY = x, sagYY = x, xxx = x, xxy = x, xyy = x, yyy = x;
-    Pair fallsXXX = x, fallsXXY = x, fallsXYY = x, fallsYYY = x;
-    Pair xxxx = x, xxxy = x, xxyy = x, xyyy = x, yyyy = x;
-    for (const WaveLanes& group : waves) {
-        group.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
-        for (int lane = 0; lane < laneCount; lane += 2) {
-            const Pair kx = group.wavenumberX.segment<2>(lane), ky = group.wavenumberY.segment<2>(lane);
-            const Pair ax = group.amplitudeX.segment<2>(lane), ay = group.amplitudeY.segment<2>(lane);
-            const Pair s = sine.segment<2>(lane), c = cosine.segment<2>(lane);
-            const Pair a = group.amplitude.segment<2>(lane), height = a * s;
-            z += a * c;
-            const Pair steepX = kx * height, steepY = ky * height;
-            dx -= steepX;
-            dy -= steepY;
-            const Pair sagX = kx * a * c, sagY = ky * a * c;
-            sagXX += kx * sagX;
-            sagXY += ky * sagX;
-            sagYY += ky * sagY;
-            const Pair alongX = ax * c, alongY = ay * c, shiftX = ax * s, shiftY = ay * s;
-            x += shiftX;
-            y += shiftY;
-            const Pair squeezeX = kx * alongX, squeezeY = ky * alongY;
-            xx += squeezeX;
-            xy += ky * alongX;
-            yy += squeezeY;
-            const Pair bendX = kx * shiftX, bendY = ky * shiftY;
-            xxx += kx * bendX;
-            xxy += ky * bendX;
-            xyy += kx * bendY;
-            yyy += ky * bendY;
-            if constexpr (withThird) {
-                const Pair kxx = kx * kx, kxy = kx * ky, kyy = ky * ky;
-                fallsXXX += kxx * steepX;
-                fallsXXY += kxy * steepX;
-                fallsXYY += kxy * steepY;
-                fallsYYY += kyy * steepY;
-                xxxx += kxx * squeezeX;
-                xxxy += kxy * squeezeX;
-                xxyy += kyy * squeezeX;
-                xyyy += kxy * squeezeY;
-                yyyy += kyy * squeezeY;
-            }
-        }
-    }
+Trochoid trochoidAt(const WavesAtTime& waves, const Vec2& rest, const Vec2& place) {
+    double sums[24] = {};
+    (withThird ? waveKernels().bentTrochoid : waveKernels().trochoid)(waves, rest.x(), rest.y(), sums);
     Trochoid result;
     result.rest = rest;
-    result.shift = rest - Vec2(x.sum(), y.sum()) - place;
-    result.elevation = z.sum();
-    result.gradient = {dx.sum(), dy.sum()};
-    result.sag = {sagXX.sum(), sagXY.sum(), sagYY.sum()};
-    result.squeeze = {xx.sum(), xy.sum(), yy.sum()};
-    result.bend = {xxx.sum(), xxy.sum(), xyy.sum(), yyy.sum()};
-    result.sagFalls = {fallsXXX.sum(), fallsXXY.sum(), fallsXYY.sum(), fallsYYY.sum()};
-    result.bendRises << xxxx.sum(), xxxy.sum(), xxyy.sum(), xyyy.sum(), yyyy.sum();
+    result.shift = rest - Vec2(sums[0], sums[1]) - place;
+    result.elevation = sums[2];
+    result.gradient = {sums[3], sums[4]};
+    result.sag = {sums[5], sums[6], sums[7]};
+    result.squeeze = {sums[8], sums[9], sums[10]};
+    result.bend = {sums[11], sums[12], sums[13], sums[14]};
+    result.sagFalls = {sums[15], sums[16], sums[17], sums[18]};
+    result.bendRises << sums[19], sums[20], sums[21], sums[22], sums[23];
     return result;
 }
 
 /// The last look at least has third derivatives if they are wanted: the first one, which begins far off, has
 /// none.
 template <bool withThird>
-Trochoid find(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
+Trochoid find(const WavesAtTime& waves, const Vec2& place, double reach) {
     const double near = placeTolerance + 1e-15 * place.norm();
-    Trochoid best = trochoidAt<false>(waves, time, place, place);
+    Trochoid best = trochoidAt<false>(waves, place, place);
     Vec2 step = secondOrderStep(best);
     bool fresh = true, complete = !withThird;
     for (int look = 1; look < mostLooks; ++look) {
         const bool arrived = step.squaredNorm() <= reach * reach || best.shift.squaredNorm() <= near * near;
         if (fresh && complete && arrived) break;
-        const Trochoid next = trochoidAt<withThird>(waves, time, best.rest + step, place);
+        const Trochoid next = trochoidAt<withThird>(waves, best.rest + step, place);
         if (!complete || next.shift.squaredNorm() < best.shift.squaredNorm()) {
             best = next;
             step = secondOrderStep(best);
@@ -179,12 +134,12 @@ SurfaceBend surfaceBend(const Trochoid& at) {
     return {symmetric(x.dot(qx), x.dot(qy), y.dot(qy)), largestThirdDerivative(xxx, xxy, xyy, yyy)};
 }
 
-Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
-    return find<false>(waves, time, place, reach);
+Trochoid findTrochoid(const WavesAtTime& waves, const Vec2& place, double reach) {
+    return find<false>(waves, place, reach);
 }
 
-Trochoid findBentTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
-    return find<true>(waves, time, place, reach);
+Trochoid findBentTrochoid(const WavesAtTime& waves, const Vec2& place, double reach) {
+    return find<true>(waves, place, reach);
 }
 
 }  // namespace bullet_buoyancy

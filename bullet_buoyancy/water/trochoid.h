@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "bullet_buoyancy/core/math_types.h"
 #include "bullet_buoyancy/water/wave_lanes.h"
 
@@ -43,9 +41,9 @@ SurfaceBend surfaceBend(const Trochoid& at);
 ///
 /// It is not looked at again if it is nearer than `reach` (m) to one that was: from there on that one's
 /// derivatives tell, the highest taken over unchanged.
-Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
+Trochoid findTrochoid(const WavesAtTime& waves, const Vec2& place, double reach);
 
 /// The same with third derivatives by `rest`: `sagFalls` and `bendRises`, which are zero else.
-Trochoid findBentTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
+Trochoid findBentTrochoid(const WavesAtTime& waves, const Vec2& place, double reach);
 
 }  // namespace bullet_buoyancy
