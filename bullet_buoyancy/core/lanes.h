@@ -40,6 +40,13 @@ struct LanesOf<double> {
     typedef std::uint64_t Bits __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
 };
 
+/// As many as the narrowest register holds.
+typedef double NarrowLanes __attribute__((vector_size(16)));
+
+inline double sumOf(const NarrowLanes& lanes) {
+    return lanes[0] + lanes[1];
+}
+
 #else
 
 template <typename Real>
@@ -48,6 +55,12 @@ struct LanesOf {
     using Truths = bool;
     using Bits = std::uint64_t;
 };
+
+using NarrowLanes = double;
+
+inline double sumOf(double lane) {
+    return lane;
+}
 
 #endif
 

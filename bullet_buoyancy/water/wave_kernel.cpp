@@ -1,5 +1,7 @@
 // Compiled once for each instruction set: see core/lanes.h.
 
+#include <utility>
+
 #include "bullet_buoyancy/core/exp.h"
 #include "bullet_buoyancy/core/sin_cos.h"
 #include "bullet_buoyancy/water/wave_kernels.h"
@@ -34,30 +36,37 @@ struct Waves {
 };
 
 /// Always in the same order, whatever the width of the register.
-double sumOf(const double (&parts)[waveLaneCount]) {
-    double four[4];
-    for (int i = 0; i < 4; ++i)
-        four[i] = parts[i] + parts[i + 4];
-    return (four[0] + four[2]) + (four[1] + four[3]);
+double totalOf(const WaveRow& row) {
+    constexpr int narrow = int(sizeof(NarrowLanes) / sizeof(double)), count = waveLaneCount / narrow;
+    NarrowLanes parts[count];
+    for (int i = 0; i < count; ++i)
+        parts[i] = reinterpret_cast<const NarrowLanes*>(row.lane)[i];
+    for (int half = count / 2; half > 0; half /= 2)
+        for (int i = 0; i < half; ++i)
+            parts[i] = parts[i] + parts[i + half];
+    return sumOf(parts[0]);
 }
 
-/// The first `used` sums over all components, to which `add(waves, sums)` adds those of a register.
-template <int used, int count, typename Add>
-void sumUp(const WavesAtTime& waves, double (&result)[count], const Add& add) {
-    alignas(64) double parts[used][waveLaneCount];
+/// Sums over all components, to which `add(waves, sums)` adds those of a register. `index`: which of the sums
+/// are asked for, spelled out so that the compiler keeps sums in registers.
+template <int count, typename Add, int... index>
+void sumUp(const WavesAtTime& waves, double (&result)[count], std::integer_sequence<int, index...>,
+           const Add& add) {
+    WaveRow rows[sizeof...(index)];
     for (int lane = 0; lane < waveLaneCount; lane += laneCount<double>) {
         Numbers sums[count] = {};
         for (int i = 0; i < waves.count; ++i)
             add(Waves(waves.lanes[i], lane), sums);
-        for (int i = 0; i < used; ++i)
-            store<double>(sums[i], parts[i] + lane);
+        (store<double>(sums[index], rows[index].lane + lane), ...);
     }
-    for (int i = 0; i < used; ++i)
-        result[i] = sumOf(parts[i]);
+    ((result[index] = totalOf(rows[index])), ...);
 }
 
+template <int used>
+constexpr std::make_integer_sequence<int, used> first;
+
 void surface(const WavesAtTime& waves, double x, double y, double (&result)[3]) {
-    sumUp<3>(waves, result, [&](const Waves& wave, Numbers(&sums)[3]) {
+    sumUp(waves, result, first<3>, [&](const Waves& wave, Numbers(&sums)[3]) {
         auto& [elevation, slopeX, slopeY] = sums;
         const auto [sine, cosine] = wave.at(x, y, waves.time);
         const Numbers height = wave.a * sine;
@@ -68,7 +77,7 @@ void surface(const WavesAtTime& waves, double x, double y, double (&result)[3]) 
 }
 
 void bentSurface(const WavesAtTime& waves, double x, double y, double (&result)[10]) {
-    sumUp<10>(waves, result, [&](const Waves& wave, Numbers(&sums)[10]) {
+    sumUp(waves, result, first<10>, [&](const Waves& wave, Numbers(&sums)[10]) {
         auto& [elevation, slopeX, slopeY, xx, xy, yy, xxx, xxy, xyy, yyy] = sums;
         const auto [sine, cosine] = wave.at(x, y, waves.time);
         const Numbers up = wave.a * cosine, back = wave.a * sine;
@@ -99,7 +108,7 @@ struct Decay {
 };
 
 void head(const WavesAtTime& waves, double x, double y, double s, double (&result)[10]) {
-    sumUp<10>(waves, result, [&](const Waves& wave, Numbers(&sums)[10]) {
+    sumUp(waves, result, first<10>, [&](const Waves& wave, Numbers(&sums)[10]) {
         auto& [head, headX, headY, headS, xx, xy, yy, xs, ys, ss] = sums;
         const auto [sine, cosine] = wave.at(x, y, waves.time);
         const Decay decay(wave, s, waves.depth);
@@ -119,7 +128,7 @@ void head(const WavesAtTime& waves, double x, double y, double s, double (&resul
 }
 
 void velocity(const WavesAtTime& waves, double x, double y, double s, double (&result)[3]) {
-    sumUp<3>(waves, result, [&](const Waves& wave, Numbers(&sums)[3]) {
+    sumUp(waves, result, first<3>, [&](const Waves& wave, Numbers(&sums)[3]) {
         auto& [velocityX, velocityY, velocityZ] = sums;
         const auto [sine, cosine] = wave.at(x, y, waves.time);
         const Decay decay(wave, s, waves.depth);
@@ -132,7 +141,7 @@ void velocity(const WavesAtTime& waves, double x, double y, double s, double (&r
 
 template <bool withThird>
 void trochoid(const WavesAtTime& waves, double restX, double restY, double (&result)[24]) {
-    sumUp<withThird ? 24 : 15>(waves, result, [&](const Waves& wave, Numbers(&sums)[24]) {
+    sumUp(waves, result, first < withThird ? 24 : 15 >, [&](const Waves& wave, Numbers(&sums)[24]) {
         auto& [x, y, z, dx, dy, sagXX, sagXY, sagYY, xx, xy, yy, xxx, xxy, xyy, yyy, fallsXXX, fallsXXY,
                fallsXYY, fallsYYY, xxxx, xxxy, xxyy, xyyy, yyyy] = sums;
         const auto [sine, cosine] = wave.at(restX, restY, waves.time);
@@ -174,7 +183,7 @@ void trochoid(const WavesAtTime& waves, double restX, double restY, double (&res
 }
 
 void particle(const WavesAtTime& waves, double restX, double restY, double restZ, double (&result)[16]) {
-    sumUp<16>(waves, result, [&](const Waves& wave, Numbers(&sums)[16]) {
+    sumUp(waves, result, first<16>, [&](const Waves& wave, Numbers(&sums)[16]) {
         auto& [x, y, z, xx, xy, yy, xz, yz, u, v, w, ux, uy, vy, uz, vz] = sums;
         const auto [sineOnTop, cosineOnTop] = wave.at(restX, restY, waves.time);
         const Numbers decay = expOf(wave.k * restZ), sine = sineOnTop * decay, cosine = cosineOnTop * decay;

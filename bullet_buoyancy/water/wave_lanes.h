@@ -7,7 +7,7 @@ inline constexpr int waveLaneCount = 8;
 
 /// One number of each.
 struct alignas(64) WaveRow {
-    double lane[waveLaneCount] = {};
+    double lane[waveLaneCount];
 };
 
 /// So many wave components side by side, in SI units. Those that fill up the last ones have no amplitude and
