@@ -127,11 +127,10 @@ void GerstnerWaves::expandSurface(HorizontalPoints points, double time, SurfaceE
     const WavesAtTime waves = wavesAt(time);
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
         const Trochoid at = findBentTrochoid(waves, {points(row, 0), points(row, 1)}, m_reach);
-        const Vec2 slope = at.slope();
         const SurfaceBend bend = surfaceBend(at);
         const double third = bend.third + 2 * m_reach * m_bounds.curvatureChangeGrowth;
-        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend.second(0, 0), bend.second(0, 1),
-            bend.second(1, 1), std::min(third, m_bounds.curvatureChange);
+        expansions.row(row) << at.elevation, bend.slope.x(), bend.slope.y(), bend.second[0], bend.second[1],
+            bend.second[2], std::min(third, m_bounds.curvatureChange);
     }
 }
 

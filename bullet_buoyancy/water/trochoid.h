@@ -22,16 +22,13 @@ struct Trochoid {
 
     /// Slopes of the surface.
     Vec2 slope() const;
-
-    /// Inverse of the place's derivative by `rest`.
-    Eigen::Matrix2d restFromPlace() const;
 };
 
-/// Second derivatives of the surface's elevation by the place, 1/m, and the bound of the third one along any
-/// direction, 1/m^2.
+/// Of the elevation, by the place.
 struct SurfaceBend {
-    Eigen::Matrix2d second;
-    double third;
+    Vec2 slope;
+    Vec3 second;   ///< derivatives, 1/m
+    double third;  ///< upper bound of the third one along any direction, 1/m^2
 };
 
 SurfaceBend surfaceBend(const Trochoid& at);
