@@ -18,23 +18,14 @@ inline Lanes<double> expOf(const Lanes<double>& numbers) {
     const Numbers rounded = x * 1.4426950408889634 + rounder;
     const Numbers doublings = rounded - rounder;
     const Numbers r = (x - doublings * 0x1.62e42fefap-1) - doublings * 0x1.cf79abc9e3b3ap-40;
+    const Numbers r2 = r * r, r4 = r2 * r2;
+    // In Estrin's order, whose sums do not wait for each other.
     const Numbers rest =
-        (((((((((2.08767569878681e-09 * r + 2.505210838544172e-08) * r + 2.755731922398589e-07) * r +
-               2.7557319223985893e-06) *
-                  r +
-              2.48015873015873e-05) *
-                 r +
-             0.0001984126984126984) *
-                r +
-            0.001388888888888889) *
-               r +
-           0.008333333333333333) *
-              r +
-          0.041666666666666664) *
-             r +
-         0.16666666666666666) *
-            r +
-        0.5;
+        ((0.5 + 0.16666666666666666 * r) + (0.041666666666666664 + 0.008333333333333333 * r) * r2) +
+        (((0.001388888888888889 + 0.0001984126984126984 * r) +
+          (2.48015873015873e-05 + 2.7557319223985893e-06 * r) * r2) +
+         ((2.755731922398589e-07 + 2.505210838544172e-08 * r) + 2.08767569878681e-09 * r2) * r4) *
+            r4;
     constexpr int mantissaBits = 52;
     NumbersOrBits result{1.0 + r * (1.0 + r * rest)}, integers{rounded};
     result.bits += integers.bits << mantissaBits;

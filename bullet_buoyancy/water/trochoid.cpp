@@ -68,7 +68,7 @@ Trochoid moved(Trochoid at, const Vec2& step) {
 /// The particle that rests at `rest`, seen from `place`; with its third derivatives or with zeros for them.
 template <bool withThird>
 Trochoid trochoidAt(const WavesAtTime& waves, const Vec2& rest, const Vec2& place) {
-    double sums[24] = {};
+    double sums[24];
     (withThird ? waveKernels().bentTrochoid : waveKernels().trochoid)(waves, rest.x(), rest.y(), sums);
     Trochoid result;
     result.rest = rest;
@@ -78,6 +78,7 @@ Trochoid trochoidAt(const WavesAtTime& waves, const Vec2& rest, const Vec2& plac
     result.sag = {sums[5], sums[6], sums[7]};
     result.squeeze = {sums[8], sums[9], sums[10]};
     result.bend = {sums[11], sums[12], sums[13], sums[14]};
+    if constexpr (!withThird) return result;
     result.sagFalls = {sums[15], sums[16], sums[17], sums[18]};
     result.bendRises << sums[19], sums[20], sums[21], sums[22], sums[23];
     return result;
