@@ -1,6 +1,6 @@
 #include "bullet_buoyancy/water/gerstner_waves.h"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -66,6 +66,12 @@ DeepParticle deepParticle(const WavesAtTime& waves, const Vec3& rest, const Vec3
             Vec3(u, v, w), symmetricWithoutTrace(ux, uy, vy, uz, vz)};
 }
 
+/// By Cramer's rule.
+Vec3 solve(const Mat3& matrix, const Vec3& right) {
+    const Vec3 x = matrix.col(0), y = matrix.col(1), z = matrix.col(2), yz = y.cross(z);
+    return Vec3(right.dot(yz), right.dot(z.cross(x)), right.dot(x.cross(y))) / x.dot(yz);
+}
+
 /// Where the particle at a point `depth` (m) below that of the surface may rest: orbits shrink as those of
 /// waves of one wavenumber do, but for what their derivative at the surface tells.
 Vec3 restBelow(const Trochoid& top, const Vec3& point, double depth, double wavenumber) {
@@ -84,13 +90,13 @@ Vec3 velocityAt(const WavesAtTime& waves, const Vec3& start, const Vec3& point, 
         return deepParticle(waves, rest, point);
     };
     DeepParticle best = look(start);
-    Vec3 step = -best.placeFromRest.inverse() * best.shift;
+    Vec3 step = -solve(best.placeFromRest, best.shift);
     bool fresh = true;
     for (int looks = 1; looks < 50 && !(fresh && step.squaredNorm() <= reach * reach); ++looks) {
         const DeepParticle next = look(best.rest + step);
         fresh = next.shift.squaredNorm() < best.shift.squaredNorm();
         if (fresh) best = next;
-        step = fresh ? Vec3(-best.placeFromRest.inverse() * best.shift) : Vec3(step / 2);
+        step = fresh ? Vec3(-solve(best.placeFromRest, best.shift)) : Vec3(step / 2);
     }
     return best.velocity + best.velocityFromRest * step;
 }
@@ -134,11 +140,15 @@ void GerstnerWaves::expandSurface(HorizontalPoints points, double time, SurfaceE
     }
 }
 
+/// A first look at the surface tells where to look for the particle, unless that may be above the surface.
 void GerstnerWaves::sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const {
     const WavesAtTime waves = wavesAt(time);
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
         Vec3 point(points(row, 0), points(row, 1), points(row, 2));
-        const Trochoid top = findTrochoid(waves, point.head<2>(), m_reachFromTop);
+        const Vec2 place = point.head<2>();
+        Trochoid top = findTrochoid(waves, place, std::numeric_limits<double>::infinity());
+        const double misplaced = m_bounds.curvature * (top.rest - place).squaredNorm();
+        if (top.elevation - point.z() < misplaced) top = findTrochoid(waves, place, m_reachFromTop);
         point.z() = std::min(point.z(), top.elevation);
         const Vec3 start = restBelow(top, point, top.elevation - point.z(), m_meanWavenumber);
         velocities.row(row) = velocityAt(waves, start, point, m_reachUnder).transpose().array();

@@ -30,7 +30,7 @@ Form inverse(const Form& m) {
 }
 
 /// With one of the vectors put in: the form of the other two.
-Form along(const CubicForm& cubic, const Vec2& vector) {
+inline Form along(const CubicForm& cubic, const Vec2& vector) {
     return cubic.head<3>() * vector.x() + cubic.tail<3>() * vector.y();
 }
 
@@ -45,7 +45,7 @@ Vec2 firstOrderStep(const Trochoid& at) {
 
 /// Halley's step: as Newton's, but with the derivative in the middle of Newton's step. Falls back to that
 /// where the curvature is too strong to be extrapolated.
-Vec2 secondOrderStep(const Trochoid& at) {
+inline Vec2 secondOrderStep(const Trochoid& at) {
     const Vec2 newton = firstOrderStep(at);
     const Form derivative = placeFromRest(at), inMiddle = derivative + along(at.bend, newton / 2);
     const bool tame = inMiddle[0] + inMiddle[2] > 0 && determinant(inMiddle) > 0.25 * determinant(derivative);
@@ -53,7 +53,7 @@ Vec2 secondOrderStep(const Trochoid& at) {
 }
 
 /// The particle that rests `step` farther on, and has arrived at its place.
-Trochoid moved(Trochoid at, const Vec2& step) {
+inline Trochoid moved(Trochoid at, const Vec2& step) {
     const Vec2 slopeFalls = times(at.sag, step);
     at.rest += step;
     at.shift.setZero();
