@@ -40,11 +40,14 @@ struct LanesOf<double> {
     typedef std::uint64_t Bits __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
 };
 
-/// As many as the narrowest register holds.
-typedef double NarrowLanes __attribute__((vector_size(16)));
-
-inline double sumOf(const NarrowLanes& lanes) {
-    return lanes[0] + lanes[1];
+/// Of eight numbers at an address that is a multiple of their size, always in the same order.
+inline double sumOfEight(const double* from) {
+    typedef double Four __attribute__((vector_size(32)));
+    typedef double Two __attribute__((vector_size(16)));
+    const Four* halves = reinterpret_cast<const Four*>(from);
+    const Four four = halves[0] + halves[1];
+    const Two two = Two{four[0], four[1]} + Two{four[2], four[3]};
+    return two[0] + two[1];
 }
 
 #else
@@ -56,10 +59,8 @@ struct LanesOf {
     using Bits = std::uint64_t;
 };
 
-using NarrowLanes = double;
-
-inline double sumOf(double lane) {
-    return lane;
+inline double sumOfEight(const double* from) {
+    return ((from[0] + from[4]) + (from[2] + from[6])) + ((from[1] + from[5]) + (from[3] + from[7]));
 }
 
 #endif

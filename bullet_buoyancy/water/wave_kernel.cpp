@@ -35,18 +35,6 @@ struct Waves {
     }
 };
 
-/// Always in the same order, whatever the width of the register.
-double totalOf(const WaveRow& row) {
-    constexpr int narrow = int(sizeof(NarrowLanes) / sizeof(double)), count = waveLaneCount / narrow;
-    NarrowLanes parts[count];
-    for (int i = 0; i < count; ++i)
-        parts[i] = reinterpret_cast<const NarrowLanes*>(row.lane)[i];
-    for (int half = count / 2; half > 0; half /= 2)
-        for (int i = 0; i < half; ++i)
-            parts[i] = parts[i] + parts[i + half];
-    return sumOf(parts[0]);
-}
-
 /// Sums over all components, to which `add(waves, sums)` adds those of a register. `index`: which of the sums
 /// are asked for, spelled out so that the compiler keeps sums in registers.
 template <int count, typename Add, int... index>
@@ -59,7 +47,7 @@ void sumUp(const WavesAtTime& waves, double (&result)[count], std::integer_seque
             add(Waves(waves.lanes[i], lane), sums);
         (store<double>(sums[index], rows[index].lane + lane), ...);
     }
-    ((result[index] = totalOf(rows[index])), ...);
+    ((result[index] = sumOfEight(rows[index].lane)), ...);
 }
 
 template <int used>
