@@ -37,7 +37,18 @@ template <>
 struct LanesOf<double> {
     typedef double Numbers __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
     typedef std::int64_t Truths __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
+    typedef std::uint64_t Bits __attribute__((vector_size(BULLET_BUOYANCY_REGISTER)));
 };
+
+/// Of eight numbers at an address that is a multiple of their size, always in the same order.
+inline double sumOfEight(const double* from) {
+    typedef double Four __attribute__((vector_size(32)));
+    typedef double Two __attribute__((vector_size(16)));
+    const Four* halves = reinterpret_cast<const Four*>(from);
+    const Four four = halves[0] + halves[1];
+    const Two two = Two{four[0], four[1]} + Two{four[2], four[3]};
+    return two[0] + two[1];
+}
 
 #else
 
@@ -45,7 +56,12 @@ template <typename Real>
 struct LanesOf {
     using Numbers = Real;
     using Truths = bool;
+    using Bits = std::uint64_t;
 };
+
+inline double sumOfEight(const double* from) {
+    return ((from[0] + from[4]) + (from[2] + from[6])) + ((from[1] + from[5]) + (from[3] + from[7]));
+}
 
 #endif
 
@@ -62,6 +78,12 @@ template <typename Real>
 inline Lanes<Real> spread(Real value) {
     return Lanes<Real>{} + value;
 }
+
+/// Numbers and the bits that they are made of.
+union NumbersOrBits {
+    Lanes<double> numbers;
+    LanesOf<double>::Bits bits;
+};
 
 /// From an address that is a multiple of the register's size.
 template <typename Real>

@@ -3,6 +3,7 @@
 #include "bullet_buoyancy/core/constants.h"
 #include "bullet_buoyancy/water/dispersion.h"
 #include "bullet_buoyancy/water/water_field.h"
+#include "bullet_buoyancy/water/wave_component.h"
 #include "bullet_buoyancy/water/wave_lanes.h"
 
 namespace bullet_buoyancy {
@@ -35,17 +36,10 @@ public:
     void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;
 
 private:
-    /// How the waves of one group feel the bed.
-    struct DepthLanes {
-        WaveLanes::Stored evenShare = WaveLanes::Stored::Ones();  // 1 / (1 + e^(-2 k depth))
-        WaveLanes::Stored orbit = WaveLanes::Stored::Zero();      // frequency / tanh(k depth)
-    };
-
-    void decay(std::size_t lane, double s, Lanes& even, Lanes& odd) const;
+    WavesAtTime wavesAt(double time) const;
 
     std::vector<WaveComponent> m_components;
     std::vector<WaveLanes> m_lanes;
-    std::vector<DepthLanes> m_depthLanes;
     double m_depth;
     WaterStatus m_status;
     WaterBounds m_bounds;

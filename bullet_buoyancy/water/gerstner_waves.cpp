@@ -1,11 +1,12 @@
 #include "bullet_buoyancy/water/gerstner_waves.h"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "bullet_buoyancy/core/exp.h"
+#include "bullet_buoyancy/water/pack_waves.h"
 #include "bullet_buoyancy/water/trochoid.h"
+#include "bullet_buoyancy/water/wave_kernels.h"
 
 namespace bullet_buoyancy {
 
@@ -57,46 +58,18 @@ Mat3 symmetricWithoutTrace(double xx, double xy, double yy, double xz, double yz
     return (Mat3() << xx, xy, xz, xy, yy, yz, xz, yz, -xx - yy).finished();
 }
 
-DeepParticle deepParticle(const std::vector<WaveLanes>& waves, double time, const Vec3& rest,
-                          const Vec3& point) {
-    using Pair = Eigen::Array2d;  // two lanes at a time, as for trochoids
-    Lanes sine, cosine;
-    Pair x = Pair::Zero(), y = x, z = x, xx = x, xy = x, yy = x, xz = x, yz = x;
-    Pair u = x, v = x, w = x, ux = x, uy = x, vy = x, uz = x, vz = x;
-    for (const WaveLanes& group : waves) {
-        group.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
-        const Lanes decay = expOf<laneCount>(group.wavenumber * rest.z());
-        sine *= decay;
-        cosine *= decay;
-        for (int lane = 0; lane < laneCount; lane += 2) {
-            const Pair kx = group.wavenumberX.segment<2>(lane), ky = group.wavenumberY.segment<2>(lane);
-            const Pair ax = group.amplitudeX.segment<2>(lane), ay = group.amplitudeY.segment<2>(lane);
-            const Pair frequency = group.frequency.segment<2>(lane), a = group.amplitude.segment<2>(lane);
-            const Pair s = sine.segment<2>(lane), c = cosine.segment<2>(lane), up = a * c, back = a * s;
-            const Pair backX = ax * s, backY = ay * s, upX = ax * c, upY = ay * c;
-            x -= backX;
-            y -= backY;
-            z += up;
-            xx -= kx * upX;
-            xy -= ky * upX;
-            yy -= ky * upY;
-            xz -= kx * back;
-            yz -= ky * back;
-            u += frequency * upX;
-            v += frequency * upY;
-            w += frequency * back;
-            const Pair rateX = frequency * kx, rateY = frequency * ky;
-            ux -= rateX * backX;
-            uy -= rateY * backX;
-            vy -= rateY * backY;
-            uz += rateX * up;
-            vz += rateY * up;
-        }
-    }
-    return {rest, rest + Vec3(x.sum(), y.sum(), z.sum()) - point,
-            Mat3::Identity() + symmetricWithoutTrace(xx.sum(), xy.sum(), yy.sum(), xz.sum(), yz.sum()),
-            Vec3(u.sum(), v.sum(), w.sum()),
-            symmetricWithoutTrace(ux.sum(), uy.sum(), vy.sum(), uz.sum(), vz.sum())};
+DeepParticle deepParticle(const WavesAtTime& waves, const Vec3& rest, const Vec3& point) {
+    double sums[16];
+    waveKernels().particle(waves, rest.x(), rest.y(), rest.z(), sums);
+    const auto& [x, y, z, xx, xy, yy, xz, yz, u, v, w, ux, uy, vy, uz, vz] = sums;
+    return {rest, rest + Vec3(x, y, z) - point, Mat3::Identity() + symmetricWithoutTrace(xx, xy, yy, xz, yz),
+            Vec3(u, v, w), symmetricWithoutTrace(ux, uy, vy, uz, vz)};
+}
+
+/// By Cramer's rule.
+Vec3 solve(const Mat3& matrix, const Vec3& right) {
+    const Vec3 x = matrix.col(0), y = matrix.col(1), z = matrix.col(2), yz = y.cross(z);
+    return Vec3(right.dot(yz), right.dot(z.cross(x)), right.dot(x.cross(y))) / x.dot(yz);
 }
 
 /// Where the particle at a point `depth` (m) below that of the surface may rest: orbits shrink as those of
@@ -111,20 +84,19 @@ Vec3 restBelow(const Trochoid& top, const Vec3& point, double depth, double wave
 /// Of the particle at the point, by Newton's method, with the step halved while it does not come nearer,
 /// until it is no farther than `reach` (m): the velocity's derivative tells the rest. That of the place is
 /// symmetric and positive definite, as at the surface.
-Vec3 velocityAt(const std::vector<WaveLanes>& waves, double time, const Vec3& start, const Vec3& point,
-                double reach) {
+Vec3 velocityAt(const WavesAtTime& waves, const Vec3& start, const Vec3& point, double reach) {
     const auto look = [&](Vec3 rest) {
         rest.z() = std::min(rest.z(), 0.0);
-        return deepParticle(waves, time, rest, point);
+        return deepParticle(waves, rest, point);
     };
     DeepParticle best = look(start);
-    Vec3 step = -best.placeFromRest.inverse() * best.shift;
+    Vec3 step = -solve(best.placeFromRest, best.shift);
     bool fresh = true;
     for (int looks = 1; looks < 50 && !(fresh && step.squaredNorm() <= reach * reach); ++looks) {
         const DeepParticle next = look(best.rest + step);
         fresh = next.shift.squaredNorm() < best.shift.squaredNorm();
         if (fresh) best = next;
-        step = fresh ? Vec3(-best.placeFromRest.inverse() * best.shift) : Vec3(step / 2);
+        step = fresh ? Vec3(-solve(best.placeFromRest, best.shift)) : Vec3(step / 2);
     }
     return best.velocity + best.velocityFromRest * step;
 }
@@ -134,7 +106,7 @@ Vec3 velocityAt(const std::vector<WaveLanes>& waves, double time, const Vec3& st
 GerstnerWaves::GerstnerWaves(const WaterFrame& frame, const GerstnerWavesDef& def)
     : WaterField(frame, def.density), m_status(check(def.components)) {
     const auto components = m_status.accepted() ? def.components : std::vector<WaveComponent>();
-    m_lanes = waveLanes(components);
+    m_lanes = packWaves(components);
     m_bounds = boundsOf(components);
     m_steepness = waveMoment(components, 1);
     m_reach = std::sqrt(slopeTolerance / std::max(m_bounds.curvatureChange, m_bounds.curvatureChangeGrowth));
@@ -143,9 +115,14 @@ GerstnerWaves::GerstnerWaves(const WaterFrame& frame, const GerstnerWavesDef& de
         m_meanLevel -= wave.amplitude * wave.amplitude * wave.wavenumber / 2;
 }
 
+WavesAtTime GerstnerWaves::wavesAt(double time) const {
+    return {m_lanes.data(), int(m_lanes.size()), time, std::numeric_limits<double>::infinity()};
+}
+
 void GerstnerWaves::sampleSurface(HorizontalPoints points, double time, SurfaceSamples samples) const {
+    const WavesAtTime waves = wavesAt(time);
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
-        const Trochoid at = findTrochoid(m_lanes, time, {points(row, 0), points(row, 1)}, m_reach);
+        const Trochoid at = findTrochoid(waves, {points(row, 0), points(row, 1)}, m_reach);
         const Vec2 slope = at.slope();
         samples.row(row) << at.elevation, slope.x(), slope.y();
     }
@@ -153,23 +130,28 @@ void GerstnerWaves::sampleSurface(HorizontalPoints points, double time, SurfaceS
 
 /// The third derivative is that at a particle, which is no farther than twice `m_reach`.
 void GerstnerWaves::expandSurface(HorizontalPoints points, double time, SurfaceExpansions expansions) const {
+    const WavesAtTime waves = wavesAt(time);
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
-        const Trochoid at = findBentTrochoid(m_lanes, time, {points(row, 0), points(row, 1)}, m_reach);
-        const Vec2 slope = at.slope();
+        const Trochoid at = findBentTrochoid(waves, {points(row, 0), points(row, 1)}, m_reach);
         const SurfaceBend bend = surfaceBend(at);
         const double third = bend.third + 2 * m_reach * m_bounds.curvatureChangeGrowth;
-        expansions.row(row) << at.elevation, slope.x(), slope.y(), bend.second(0, 0), bend.second(0, 1),
-            bend.second(1, 1), std::min(third, m_bounds.curvatureChange);
+        expansions.row(row) << at.elevation, bend.slope.x(), bend.slope.y(), bend.second[0], bend.second[1],
+            bend.second[2], std::min(third, m_bounds.curvatureChange);
     }
 }
 
+/// A first look at the surface tells where to look for the particle, unless that may be above the surface.
 void GerstnerWaves::sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const {
+    const WavesAtTime waves = wavesAt(time);
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
         Vec3 point(points(row, 0), points(row, 1), points(row, 2));
-        const Trochoid top = findTrochoid(m_lanes, time, point.head<2>(), m_reachFromTop);
+        const Vec2 place = point.head<2>();
+        Trochoid top = findTrochoid(waves, place, std::numeric_limits<double>::infinity());
+        const double misplaced = m_bounds.curvature * (top.rest - place).squaredNorm();
+        if (top.elevation - point.z() < misplaced) top = findTrochoid(waves, place, m_reachFromTop);
         point.z() = std::min(point.z(), top.elevation);
         const Vec3 start = restBelow(top, point, top.elevation - point.z(), m_meanWavenumber);
-        velocities.row(row) = velocityAt(m_lanes, time, start, point, m_reachUnder).transpose().array();
+        velocities.row(row) = velocityAt(waves, start, point, m_reachUnder).transpose().array();
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "bullet_buoyancy/core/constants.h"
 #include "bullet_buoyancy/water/water_field.h"
+#include "bullet_buoyancy/water/wave_component.h"
 #include "bullet_buoyancy/water/wave_lanes.h"
 
 namespace bullet_buoyancy {
@@ -41,6 +42,7 @@ public:
     void sampleVelocity(WaterPoints points, double time, WaterVelocities velocities) const override;
 
 private:
+    WavesAtTime wavesAt(double time) const;
     void setReachOfVelocity(const std::vector<WaveComponent>& components);
 
     std::vector<WaveLanes> m_lanes;

@@ -1,8 +1,7 @@
 #include "bullet_buoyancy/water/trochoid.h"
 
-#include <Eigen/LU>
-
 #include "bullet_buoyancy/water/third_derivative.h"
+#include "bullet_buoyancy/water/wave_kernels.h"
 
 namespace bullet_buoyancy {
 
@@ -14,128 +13,89 @@ constexpr double placeTolerance = 1e-10;
 /// Seas at a steepness of 0.99 need no more than some twenty.
 constexpr int mostLooks = 100;
 
-Eigen::Matrix2d symmetric(double xx, double xy, double yy) {
-    return (Eigen::Matrix2d() << xx, xy, xy, yy).finished();
+// Symmetric matrices have the entries xx, xy, yy, and symmetric forms of three vectors xxx, xxy, xyy, yyy.
+using Form = Vec3;
+using CubicForm = Eigen::Vector4d;
+
+double determinant(const Form& m) {
+    return m[0] * m[2] - m[1] * m[1];
 }
 
-Eigen::Matrix2d placeFromRest(const Trochoid& at) {
-    return symmetric(1 - at.squeeze[0], -at.squeeze[1], 1 - at.squeeze[2]);
+Vec2 times(const Form& m, const Vec2& v) {
+    return {m[0] * v.x() + m[1] * v.y(), m[1] * v.x() + m[2] * v.y()};
 }
 
-/// A symmetric form of three vectors with one of them put in: that of the other two.
-Eigen::Matrix2d along(const Eigen::Vector4d& cubic, const Vec2& vector) {
-    const Vec3 form = cubic.head<3>() * vector.x() + cubic.tail<3>() * vector.y();
-    return symmetric(form[0], form[1], form[2]);
+Form inverse(const Form& m) {
+    return Form(m[2], -m[1], m[0]) / determinant(m);
 }
 
-Vec2 solve(const Eigen::Matrix2d& matrix, const Vec2& right) {
-    return matrix.inverse() * right;
+/// With one of the vectors put in: the form of the other two.
+inline Form along(const CubicForm& cubic, const Vec2& vector) {
+    return cubic.head<3>() * vector.x() + cubic.tail<3>() * vector.y();
+}
+
+Form placeFromRest(const Trochoid& at) {
+    return {1 - at.squeeze[0], -at.squeeze[1], 1 - at.squeeze[2]};
 }
 
 /// Newton's step.
 Vec2 firstOrderStep(const Trochoid& at) {
-    return -solve(placeFromRest(at), at.shift);
+    return -times(inverse(placeFromRest(at)), at.shift);
 }
 
 /// Halley's step: as Newton's, but with the derivative in the middle of Newton's step. Falls back to that
 /// where the curvature is too strong to be extrapolated.
-Vec2 secondOrderStep(const Trochoid& at) {
-    const Vec2 newton = firstOrderStep(at), half = newton / 2;
-    const Eigen::Matrix2d derivative = placeFromRest(at);
-    const Eigen::Matrix2d inMiddle = derivative + along(at.bend, half);
-    const bool tame = inMiddle.trace() > 0 && inMiddle.determinant() > 0.25 * derivative.determinant();
-    return tame ? Vec2(-solve(inMiddle, at.shift)) : newton;
+inline Vec2 secondOrderStep(const Trochoid& at) {
+    const Vec2 newton = firstOrderStep(at);
+    const Form derivative = placeFromRest(at), inMiddle = derivative + along(at.bend, newton / 2);
+    const bool tame = inMiddle[0] + inMiddle[2] > 0 && determinant(inMiddle) > 0.25 * determinant(derivative);
+    return tame ? Vec2(-times(inverse(inMiddle), at.shift)) : newton;
 }
 
 /// The particle that rests `step` farther on, and has arrived at its place.
-Trochoid moved(Trochoid at, const Vec2& step) {
-    const Eigen::Matrix2d sag = symmetric(at.sag[0], at.sag[1], at.sag[2]);
+inline Trochoid moved(Trochoid at, const Vec2& step) {
+    const Vec2 slopeFalls = times(at.sag, step);
     at.rest += step;
     at.shift.setZero();
-    at.elevation += at.gradient.dot(step) - step.dot(sag * step) / 2;
-    at.gradient -= sag * step;
-    at.squeeze -= at.bend.head<3>() * step.x() + at.bend.tail<3>() * step.y();
-    at.sag -= at.sagFalls.head<3>() * step.x() + at.sagFalls.tail<3>() * step.y();
+    at.elevation += step.dot(at.gradient - slopeFalls / 2);
+    at.gradient -= slopeFalls;
+    at.squeeze -= along(at.bend, step);
+    at.sag -= along(at.sagFalls, step);
     at.bend += at.bendRises.head<4>() * step.x() + at.bendRises.tail<4>() * step.y();
     return at;
 }
 
 /// The particle that rests at `rest`, seen from `place`; with its third derivatives or with zeros for them.
 template <bool withThird>
-Trochoid trochoidAt(const std::vector<WaveLanes>& waves, double time, const Vec2& rest, const Vec2& place) {
-    // Two lanes at a time: their sums nearly fit into the registers of any machine with vectors.
-    using Pair = Eigen::Array2d;
-    Lanes sine, cosine;
-    Pair x = Pair::Zero(), y = x, z = x, dx = x, dy = x, xx = x, xy = x, yy = x;
-    Pair sagXX = x, sagXY = x, sagYY = x, xxx = x, xxy = x, xyy = x, yyy = x;
-    Pair fallsXXX = x, fallsXXY = x, fallsXYY = x, fallsYYY = x;
-    Pair xxxx = x, xxxy = x, xxyy = x, xyyy = x, yyyy = x;
-    for (const WaveLanes& group : waves) {
-        group.sinCosAt(rest.x(), rest.y(), time, sine, cosine);
-        for (int lane = 0; lane < laneCount; lane += 2) {
-            const Pair kx = group.wavenumberX.segment<2>(lane), ky = group.wavenumberY.segment<2>(lane);
-            const Pair ax = group.amplitudeX.segment<2>(lane), ay = group.amplitudeY.segment<2>(lane);
-            const Pair s = sine.segment<2>(lane), c = cosine.segment<2>(lane);
-            const Pair a = group.amplitude.segment<2>(lane), height = a * s;
-            z += a * c;
-            const Pair steepX = kx * height, steepY = ky * height;
-            dx -= steepX;
-            dy -= steepY;
-            const Pair sagX = kx * a * c, sagY = ky * a * c;
-            sagXX += kx * sagX;
-            sagXY += ky * sagX;
-            sagYY += ky * sagY;
-            const Pair alongX = ax * c, alongY = ay * c, shiftX = ax * s, shiftY = ay * s;
-            x += shiftX;
-            y += shiftY;
-            const Pair squeezeX = kx * alongX, squeezeY = ky * alongY;
-            xx += squeezeX;
-            xy += ky * alongX;
-            yy += squeezeY;
-            const Pair bendX = kx * shiftX, bendY = ky * shiftY;
-            xxx += kx * bendX;
-            xxy += ky * bendX;
-            xyy += kx * bendY;
-            yyy += ky * bendY;
-            if constexpr (withThird) {
-                const Pair kxx = kx * kx, kxy = kx * ky, kyy = ky * ky;
-                fallsXXX += kxx * steepX;
-                fallsXXY += kxy * steepX;
-                fallsXYY += kxy * steepY;
-                fallsYYY += kyy * steepY;
-                xxxx += kxx * squeezeX;
-                xxxy += kxy * squeezeX;
-                xxyy += kyy * squeezeX;
-                xyyy += kxy * squeezeY;
-                yyyy += kyy * squeezeY;
-            }
-        }
-    }
+Trochoid trochoidAt(const WavesAtTime& waves, const Vec2& rest, const Vec2& place) {
+    double sums[24];
+    (withThird ? waveKernels().bentTrochoid : waveKernels().trochoid)(waves, rest.x(), rest.y(), sums);
     Trochoid result;
     result.rest = rest;
-    result.shift = rest - Vec2(x.sum(), y.sum()) - place;
-    result.elevation = z.sum();
-    result.gradient = {dx.sum(), dy.sum()};
-    result.sag = {sagXX.sum(), sagXY.sum(), sagYY.sum()};
-    result.squeeze = {xx.sum(), xy.sum(), yy.sum()};
-    result.bend = {xxx.sum(), xxy.sum(), xyy.sum(), yyy.sum()};
-    result.sagFalls = {fallsXXX.sum(), fallsXXY.sum(), fallsXYY.sum(), fallsYYY.sum()};
-    result.bendRises << xxxx.sum(), xxxy.sum(), xxyy.sum(), xyyy.sum(), yyyy.sum();
+    result.shift = rest - Vec2(sums[0], sums[1]) - place;
+    result.elevation = sums[2];
+    result.gradient = {sums[3], sums[4]};
+    result.sag = {sums[5], sums[6], sums[7]};
+    result.squeeze = {sums[8], sums[9], sums[10]};
+    result.bend = {sums[11], sums[12], sums[13], sums[14]};
+    if constexpr (!withThird) return result;
+    result.sagFalls = {sums[15], sums[16], sums[17], sums[18]};
+    result.bendRises << sums[19], sums[20], sums[21], sums[22], sums[23];
     return result;
 }
 
 /// The last look at least has third derivatives if they are wanted: the first one, which begins far off, has
 /// none.
 template <bool withThird>
-Trochoid find(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
+Trochoid find(const WavesAtTime& waves, const Vec2& place, double reach) {
     const double near = placeTolerance + 1e-15 * place.norm();
-    Trochoid best = trochoidAt<false>(waves, time, place, place);
+    Trochoid best = trochoidAt<false>(waves, place, place);
     Vec2 step = secondOrderStep(best);
     bool fresh = true, complete = !withThird;
     for (int look = 1; look < mostLooks; ++look) {
         const bool arrived = step.squaredNorm() <= reach * reach || best.shift.squaredNorm() <= near * near;
         if (fresh && complete && arrived) break;
-        const Trochoid next = trochoidAt<withThird>(waves, time, best.rest + step, place);
+        const Trochoid next = trochoidAt<withThird>(waves, best.rest + step, place);
         if (!complete || next.shift.squaredNorm() < best.shift.squaredNorm()) {
             best = next;
             step = secondOrderStep(best);
@@ -151,12 +111,8 @@ Trochoid find(const std::vector<WaveLanes>& waves, double time, const Vec2& plac
 
 }  // namespace
 
-Eigen::Matrix2d Trochoid::restFromPlace() const {
-    return placeFromRest(*this).inverse();
-}
-
 Vec2 Trochoid::slope() const {
-    return restFromPlace() * gradient;
+    return times(inverse(placeFromRest(*this)), gradient);
 }
 
 /// Along a line of resting places a(t) whose places are a straight line of unit direction d: a' = P d with P
@@ -164,27 +120,28 @@ Vec2 Trochoid::slope() const {
 /// derivatives are Q[a', a'] and C[a', a', a'] + 3 Q[a', a"], where Q = Z" - m . X" and C = Z"' - m . X"' are
 /// made of those of place X and elevation Z by the resting place.
 SurfaceBend surfaceBend(const Trochoid& at) {
-    const Eigen::Matrix2d restFromPlace = at.restFromPlace();
-    const Vec2 slope = restFromPlace * at.gradient, x = restFromPlace.col(0), y = restFromPlace.col(1);
-    const Eigen::Matrix2d q = -symmetric(at.sag[0], at.sag[1], at.sag[2]) - along(at.bend, slope);
-    const Eigen::Vector4d c =
-        at.sagFalls - at.bendRises.head<4>() * slope.x() - at.bendRises.tail<4>() * slope.y();
-    const Vec2 qx = q * x, qy = q * y;
-    const Eigen::Matrix2d cx = along(c, x), cy = along(c, y), bendX = restFromPlace * along(at.bend, x),
-                          bendY = restFromPlace * along(at.bend, y);
-    const double xxx = x.dot(cx * x) - 3 * qx.dot(bendX * x);
-    const double xxy = x.dot(cx * y) - qy.dot(bendX * x) - 2 * qx.dot(bendX * y);
-    const double xyy = y.dot(cy * x) - qx.dot(bendY * y) - 2 * qy.dot(bendX * y);
-    const double yyy = y.dot(cy * y) - 3 * qy.dot(bendY * y);
-    return {symmetric(x.dot(qx), x.dot(qy), y.dot(qy)), largestThirdDerivative(xxx, xxy, xyy, yyy)};
+    const Form restFromPlace = inverse(placeFromRest(at));
+    const Vec2 slope = times(restFromPlace, at.gradient);
+    const Vec2 x = restFromPlace.head<2>(), y = restFromPlace.tail<2>();
+    const Form q = -at.sag - along(at.bend, slope);
+    const CubicForm c = at.sagFalls - at.bendRises.head<4>() * slope.x() - at.bendRises.tail<4>() * slope.y();
+    const Vec2 qx = times(q, x), qy = times(q, y);
+    const Form cx = along(c, x), cy = along(c, y), bendX = along(at.bend, x), bendY = along(at.bend, y);
+    const Vec2 bendXX = times(restFromPlace, times(bendX, x)), bendXY = times(restFromPlace, times(bendX, y)),
+               bendYY = times(restFromPlace, times(bendY, y));
+    const double xxx = x.dot(times(cx, x)) - 3 * qx.dot(bendXX);
+    const double xxy = x.dot(times(cx, y)) - qy.dot(bendXX) - 2 * qx.dot(bendXY);
+    const double xyy = y.dot(times(cy, x)) - qx.dot(bendYY) - 2 * qy.dot(bendXY);
+    const double yyy = y.dot(times(cy, y)) - 3 * qy.dot(bendYY);
+    return {slope, {x.dot(qx), x.dot(qy), y.dot(qy)}, largestThirdDerivative(xxx, xxy, xyy, yyy)};
 }
 
-Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
-    return find<false>(waves, time, place, reach);
+Trochoid findTrochoid(const WavesAtTime& waves, const Vec2& place, double reach) {
+    return find<false>(waves, place, reach);
 }
 
-Trochoid findBentTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach) {
-    return find<true>(waves, time, place, reach);
+Trochoid findBentTrochoid(const WavesAtTime& waves, const Vec2& place, double reach) {
+    return find<true>(waves, place, reach);
 }
 
 }  // namespace bullet_buoyancy

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "bullet_buoyancy/core/math_types.h"
 #include "bullet_buoyancy/water/wave_lanes.h"
 
@@ -24,16 +22,13 @@ struct Trochoid {
 
     /// Slopes of the surface.
     Vec2 slope() const;
-
-    /// Inverse of the place's derivative by `rest`.
-    Eigen::Matrix2d restFromPlace() const;
 };
 
-/// Second derivatives of the surface's elevation by the place, 1/m, and the bound of the third one along any
-/// direction, 1/m^2.
+/// Of the elevation, by the place.
 struct SurfaceBend {
-    Eigen::Matrix2d second;
-    double third;
+    Vec2 slope;
+    Vec3 second;   ///< derivatives, 1/m
+    double third;  ///< upper bound of the third one along any direction, 1/m^2
 };
 
 SurfaceBend surfaceBend(const Trochoid& at);
@@ -43,9 +38,9 @@ SurfaceBend surfaceBend(const Trochoid& at);
 ///
 /// It is not looked at again if it is nearer than `reach` (m) to one that was: from there on that one's
 /// derivatives tell, the highest taken over unchanged.
-Trochoid findTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
+Trochoid findTrochoid(const WavesAtTime& waves, const Vec2& place, double reach);
 
 /// The same with third derivatives by `rest`: `sagFalls` and `bendRises`, which are zero else.
-Trochoid findBentTrochoid(const std::vector<WaveLanes>& waves, double time, const Vec2& place, double reach);
+Trochoid findBentTrochoid(const WavesAtTime& waves, const Vec2& place, double reach);
 
 }  // namespace bullet_buoyancy

@@ -15,4 +15,11 @@ WaterStatus checkComponents(const std::vector<WaveComponent>& components) {
     return status;
 }
 
+double waveMoment(const std::vector<WaveComponent>& components, int power) {
+    double sum = 0;
+    for (const WaveComponent& wave : components)
+        sum += wave.amplitude * std::pow(wave.wavenumber, power);
+    return sum;
+}
+
 }  // namespace bullet_buoyancy

@@ -19,4 +19,7 @@ struct WaveComponent {
 /// Whether each of them is a wave (see `WaveComponent`).
 WaterStatus checkComponents(const std::vector<WaveComponent>& components);
 
+/// Sum over the components of amplitude * wavenumber^power, m^(1 - power).
+double waveMoment(const std::vector<WaveComponent>& components, int power);
+
 }  // namespace bullet_buoyancy

@@ -1,39 +1,32 @@
 #pragma once
 
-#include <vector>
-
-#include "bullet_buoyancy/core/sin_cos.h"
-#include "bullet_buoyancy/water/wave_component.h"
-
 namespace bullet_buoyancy {
 
-/// Wave components that are summed side by side, by vector instructions.
-inline constexpr int laneCount = 8;
-using Lanes = Eigen::Array<double, laneCount, 1>;
+/// Wave components that are summed side by side: as many as the widest register has lanes.
+inline constexpr int waveLaneCount = 8;
 
-/// So many wave components side by side. Those that fill up the last ones have no amplitude and wavenumber.
-///
-/// Not aligned: a user's compiler flags may ask Eigen for another alignment than ours did.
-struct WaveLanes {
-    using Stored = Eigen::Array<double, laneCount, 1, Eigen::DontAlign>;
-
-    Stored amplitude = Stored::Zero();
-    Stored wavenumber = Stored::Zero();
-    Stored wavenumberX = Stored::Zero(), wavenumberY = Stored::Zero();
-    Stored amplitudeX = Stored::Zero(), amplitudeY = Stored::Zero();  ///< times the direction of travel
-    Stored frequency = Stored::Zero();
-    Stored phase = Stored::Zero();
-
-    /// Sine and cosine of the phase at a place (m) and time (s).
-    void sinCosAt(double x, double y, double time, Lanes& sine, Lanes& cosine) const {
-        const Lanes angle = wavenumberX * x + wavenumberY * y + (phase - frequency * time);
-        sinCos<laneCount>(angle, sine, cosine);
-    }
+/// One number of each.
+struct alignas(64) WaveRow {
+    double lane[waveLaneCount];
 };
 
-std::vector<WaveLanes> waveLanes(const std::vector<WaveComponent>& components);
+/// So many wave components side by side, in SI units. Those that fill up the last ones have no amplitude and
+/// wavenumber.
+struct WaveLanes {
+    WaveRow amplitude, wavenumber;
+    WaveRow wavenumberX, wavenumberY;
+    WaveRow amplitudeX, amplitudeY;  ///< times the direction of travel
+    WaveRow frequency, phase;
+    WaveRow evenShare;  ///< 1 / (1 + e^(-2 k depth))
+    WaveRow orbit;      ///< frequency / tanh(k depth)
+};
 
-/// Sum over the components of amplitude * wavenumber^power, m^(1 - power).
-double waveMoment(const std::vector<WaveComponent>& components, int power);
+/// Waves at a time, in water of a depth.
+struct WavesAtTime {
+    const WaveLanes* lanes;
+    int count;     ///< of `lanes`
+    double time;   ///< s
+    double depth;  ///< m; may be infinite
+};
 
 }  // namespace bullet_buoyancy

@@ -6,7 +6,7 @@
 #include "bullet_buoyancy/water/airy_waves.h"
 #include "bullet_buoyancy/water/gerstner_waves.h"
 #include "bullet_buoyancy/water/sea_state.h"
-#include "bullet_buoyancy/water/wave_lanes.h"
+#include "bullet_buoyancy/water/wave_component.h"
 
 namespace bullet_buoyancy::scenes {
 

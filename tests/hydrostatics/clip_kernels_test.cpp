@@ -6,17 +6,11 @@
 
 #include "bullet_buoyancy/hull/packed_mesh.h"
 #include "support/bumpy_mesh.h"
+#include "support/instruction_sets.h"
 #include "support/random_cases.h"
 
 namespace bullet_buoyancy::test {
 namespace {
-
-std::vector<InstructionSet> setsOfThisMachine() {
-    std::vector<InstructionSet> sets;
-    for (InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512})
-        if (set <= bestInstructionSet()) sets.push_back(set);
-    return sets;
-}
 
 PackPlane randomPlane(Random& random) {
     const Vec3 up = random.direction();
