@@ -1,6 +1,7 @@
 #include "wave_cost/crowd.h"
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "bullet_buoyancy/hydrostatics/evaluate.h"
 #include "scenes/crowd_pose.h"
 #include "scenes/study_cases.h"
 
@@ -35,11 +36,13 @@ Crowd::~Crowd() {
     m_scene.world().addAction(&m_scene.floater());
 }
 
-double Crowd::step(int steps) {
+scenes::SubstepTime Crowd::step(int steps) {
     m_stopwatch.reset();
+    const double start = scenes::processorTime();
     for (int i = 0; i < steps; ++i)
         m_scene.step(dt);
-    return m_stopwatch.median() / double(m_bodies.size());
+    const double whole = (scenes::processorTime() - start) * 1e9 / steps, bodies = double(m_bodies.size());
+    return {whole / bodies, m_stopwatch.median() / bodies};
 }
 
 HydrostaticQuery Crowd::query() const {
@@ -58,7 +61,7 @@ double Crowd::evaluate() const {
     volatile double sink = 0;  // so that no evaluation is optimized away
     const double start = scenes::processorTime();
     for (const Pose& pose : poses)
-        sink = evaluateExact(*m_hull, pose, m_water, query).forceWorld.z();
+        sink = bullet_buoyancy::evaluate(*m_hull, pose, m_water, query).forceWorld.z();
     static_cast<void>(sink);
     return (scenes::processorTime() - start) * 1e9 / double(poses.size());
 }
@@ -66,7 +69,7 @@ double Crowd::evaluate() const {
 double Crowd::samples() const {
     double sum = 0;
     for (const btRigidBody* body : m_bodies)
-        sum += evaluateExact(*m_hull, scenes::poseOf(*body), m_water, query()).waterSamples;
+        sum += bullet_buoyancy::evaluate(*m_hull, scenes::poseOf(*body), m_water, query()).waterSamples;
     return sum / double(m_bodies.size());
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "scenes/float_scene.h"
-#include "scenes/stopwatch.h"
+#include "scenes/timed_scene.h"
 
 namespace bullet_buoyancy::demo {
 
@@ -17,8 +17,9 @@ public:
     Crowd(const Crowd&) = delete;
     Crowd& operator=(const Crowd&) = delete;
 
-    /// Steps of 1/60 s. Returns ns of the action's part of a step, a body: median over the steps.
-    double step(int steps);
+    /// Steps of 1/60 s. Returns ns a body of a step: median over the steps of the action's part, mean of the
+    /// whole.
+    scenes::SubstepTime step(int steps);
 
     /// ns to evaluate the pressure on a body by itself, mean over all of them where they are now.
     double evaluate() const;
