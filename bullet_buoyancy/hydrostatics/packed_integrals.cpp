@@ -1,5 +1,6 @@
 #include "bullet_buoyancy/hydrostatics/packed_integrals.h"
 
+#include <algorithm>
 #include <array>
 
 #include "bullet_buoyancy/hydrostatics/clip_kernels.h"
@@ -21,6 +22,17 @@ double sumOf(const PackRow<Real>& row) {
 template <typename Real>
 Vec3 sumOf(const PackRow<Real> (&rows)[3]) {
     return {sumOf(rows[0]), sumOf(rows[1]), sumOf(rows[2])};
+}
+
+/// Asks for the first lines of what will be read soon, of a large mesh from far away in memory; what follows
+/// on them comes by itself.
+template <typename Data>
+void prefetch([[maybe_unused]] const Data& data) {
+#ifdef __GNUC__
+    constexpr std::size_t line = 64, most = 16 * line;
+    for (std::size_t offset = 0; offset < std::min(sizeof data, most); offset += line)
+        __builtin_prefetch(reinterpret_cast<const char*>(&data) + offset);
+#endif
 }
 
 template <typename Real>
@@ -76,10 +88,13 @@ private:
         if (m_listed + count > mostListed) clipListed();
         for (int i = 0; i < count; ++i) {
             const std::uint32_t child = at.cluster * packSize + cut[std::size_t(i)];
-            if (at.level == 0)
+            if (at.level == 0) {
+                prefetch(m_mesh.packs[child]);
                 m_list[std::size_t(m_listed++)] = child;
-            else
+            } else {
+                prefetch(m_mesh.levels[std::size_t(at.level - 1)][child]);
                 push(at.level - 1, child);
+            }
         }
     }
 
