@@ -8,8 +8,7 @@ struct SinCos {
     Lanes<double> sine, cosine;
 };
 
-/// Sines and cosines of angles (rad): three times as fast as the standard library's where a register holds
-/// two numbers. Absolute error below 5e-16 for angles up to 5e7.
+/// Sines and cosines of angles (rad). Absolute error below 5e-16 for angles up to 5e7.
 ///
 /// Reduced by multiples of pi in three parts (Cody and Waite 1980), of which the first two have 29 bits each
 /// so that their multiples are exact; then polynomials that interpolate at Chebyshev nodes over half a

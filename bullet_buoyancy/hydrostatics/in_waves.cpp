@@ -137,9 +137,10 @@ private:
         if (depth >= reach) return addUnder(integrals);
         const double misplaced = insideMargin * m_hull.surface.shadowAlong(m_up) * strayed;
         const double sideways = std::sqrt(std::max(0.0, gradient.squaredNorm() - 1)) + excess.slope;
-        const double error = std::hypot(
-            misplaced, misplaced * sideways +
-                           gradientError(water, moved(m_hull.moments, -centre).secondMoment, one.reach()));
+        const double misturned =
+            misplaced * sideways +
+            gradientError(water, moved(m_hull.moments, -centre).secondMoment, one.reach());
+        const double error = std::sqrt(misplaced * misplaced + misturned * misturned);
         if (error > m_tolerance) return false;
 
         const TangentWater plane(depth, gradient, m_up, centre);

@@ -8,7 +8,7 @@
 
 namespace bullet_buoyancy {
 
-/// `depth` of the water in m.
+/// Side by side, in the order given, in water of a depth in m.
 std::vector<WaveLanes> packWaves(const std::vector<WaveComponent>& components,
                                  double depth = std::numeric_limits<double>::infinity());
 

@@ -70,17 +70,20 @@ template <bool withThird>
 Trochoid trochoidAt(const WavesAtTime& waves, const Vec2& rest, const Vec2& place) {
     double sums[24];
     (withThird ? waveKernels().bentTrochoid : waveKernels().trochoid)(waves, rest.x(), rest.y(), sums);
+    const auto& [x, y, z, dx, dy, sagXX, sagXY, sagYY, xx, xy, yy, xxx, xxy, xyy, yyy, fallsXXX, fallsXXY,
+                 fallsXYY, fallsYYY, xxxx, xxxy, xxyy, xyyy, yyyy] = sums;
     Trochoid result;
     result.rest = rest;
-    result.shift = rest - Vec2(sums[0], sums[1]) - place;
-    result.elevation = sums[2];
-    result.gradient = {sums[3], sums[4]};
-    result.sag = {sums[5], sums[6], sums[7]};
-    result.squeeze = {sums[8], sums[9], sums[10]};
-    result.bend = {sums[11], sums[12], sums[13], sums[14]};
-    if constexpr (!withThird) return result;
-    result.sagFalls = {sums[15], sums[16], sums[17], sums[18]};
-    result.bendRises << sums[19], sums[20], sums[21], sums[22], sums[23];
+    result.shift = rest - Vec2(x, y) - place;
+    result.elevation = z;
+    result.gradient = {dx, dy};
+    result.sag = {sagXX, sagXY, sagYY};
+    result.squeeze = {xx, xy, yy};
+    result.bend = {xxx, xxy, xyy, yyy};
+    if constexpr (withThird) {
+        result.sagFalls = {fallsXXX, fallsXXY, fallsXYY, fallsYYY};
+        result.bendRises << xxxx, xxxy, xxyy, xyyy, yyyy;
+    }
     return result;
 }
 

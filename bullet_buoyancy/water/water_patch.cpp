@@ -93,16 +93,16 @@ void WaterPatch::place(const BodyBox& box, double reach) {
         edges = edges.cwiseProduct((Vec3::Ones() - m_up.cwiseAbs2()).cwiseMax(0).cwiseSqrt());
     m_counts = countsFor(edges, reach);
     m_lowest = box.centre - box.halfExtents;
-    m_cell = 2 * box.halfExtents.cwiseQuotient(m_counts.matrix().cast<double>());
-    for (int i = 0; i < cellCount(); ++i) {
-        const Eigen::Array3d index(i % m_counts[0], i / m_counts[0] % m_counts[1],
-                                   i / (m_counts[0] * m_counts[1]));
-        m_expansions[std::size_t(i)].centre = m_lowest + m_cell.cwiseProduct((index + 0.5).matrix());
-    }
+    const Vec3 share = m_counts.cast<double>().inverse();
+    m_cell = 2 * box.halfExtents.cwiseProduct(share);
+    std::size_t i = 0;
+    for (int z = 0; z < m_counts[2]; ++z)
+        for (int y = 0; y < m_counts[1]; ++y)
+            for (int x = 0; x < m_counts[0]; ++x)
+                m_expansions[i++].centre = m_lowest + m_cell.cwiseProduct(Vec3(x + 0.5, y + 0.5, z + 0.5));
     // Edges are not square to each other in plan: no corner is farther than half of the diagonal in space, or
     // half of the edges' lengths in plan together.
-    const Vec3 inPlan = edges.cwiseQuotient(m_counts.matrix().cast<double>());
-    m_reach = std::min(m_cell.norm(), inPlan.sum()) / 2;
+    m_reach = std::min(m_cell.norm(), edges.dot(share)) / 2;
     // A triangle that is no larger than a cell, and has its middle in it, sticks out by two thirds of its
     // size.
     m_validity = cellCount() == 1 ? m_reach : 7.0 / 3 * m_reach;

@@ -129,7 +129,8 @@ void velocity(const WavesAtTime& waves, double x, double y, double s, double (&r
 
 template <bool withThird>
 void trochoid(const WavesAtTime& waves, double restX, double restY, double (&result)[24]) {
-    sumUp(waves, result, first < withThird ? 24 : 15 >, [&](const Waves& wave, Numbers(&sums)[24]) {
+    constexpr int used = withThird ? 24 : 15;
+    sumUp(waves, result, first<used>, [&](const Waves& wave, Numbers(&sums)[24]) {
         auto& [x, y, z, dx, dy, sagXX, sagXY, sagYY, xx, xy, yy, xxx, xxy, xyy, yyy, fallsXXX, fallsXXY,
                fallsXYY, fallsYYY, xxxx, xxxy, xxyy, xyyy, yyyy] = sums;
         const auto [sine, cosine] = wave.at(restX, restY, waves.time);
