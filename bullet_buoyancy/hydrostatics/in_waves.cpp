@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/hydrostatics/clusters_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/solid_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/tangent_water.h"
@@ -163,12 +164,19 @@ private:
     /// smaller. Returns what it is too large by.
     double addWith(const WaterPatch& patch, WetIntegrals& integrals, bool whatever = false) const {
         WetIntegrals now = integrals;
-        addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
+        addMesh(patch, now);
         addSolids(patch, allowedHeadError(), now);
         const double lasting = now.lastingError.norm();
         const double excess = now.error.norm() / std::max(m_tolerance - lasting, lasting / 4);
         if (excess <= 1 || whatever) integrals = now;
         return excess;
+    }
+
+    void addMesh(const WaterPatch& patch, WetIntegrals& integrals) const {
+        if (m_sum == MeshSum::oneByOne || m_hull.packed.full.levels.empty())
+            addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, integrals);
+        else
+            addClustersInWaves(m_hull, patch, allowedHeadError(), m_query, integrals);
     }
 
     void addByCorners(WetIntegrals& integrals) {

@@ -125,6 +125,15 @@ public:
             add(water, {seen[t[0]], seen[t[1]], seen[t[2]]}, 0);
     }
 
+    void add(const TrianglePack<double>& pack, const Vec3& origin) {
+        const auto corner = [&](const PackRow<double>(&rows)[3], int lane) {
+            return Vec3(origin + Vec3(rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]));
+        };
+        for (int lane = 0; lane < packSize; ++lane)
+            if (pack.area.lane[lane] > 0)
+                add(corner(pack.a, lane), corner(pack.b, lane), corner(pack.c, lane));
+    }
+
 private:
     void add(const Vec3& a, const Vec3& b, const Vec3& c, int quarterings = 0) {
         const WaterExpansion& water = m_water.near((a + b + c) / 3);
@@ -252,6 +261,11 @@ double strayedWithin(const Corners& p, double bend) {
 void addMeshInWaves(const TriangleMesh& mesh, const WaterPatch& water, double headError,
                     const HydrostaticQuery& query, WetIntegrals& integrals) {
     if (!mesh.triangles.empty()) TrianglesInWaves(water, headError, query, integrals).add(mesh);
+}
+
+void addPackInWaves(const TrianglePack<double>& pack, const Vec3& origin, const WaterPatch& water,
+                    double headError, const HydrostaticQuery& query, WetIntegrals& integrals) {
+    TrianglesInWaves(water, headError, query, integrals).add(pack, origin);
 }
 
 int addMeshByCorners(const TriangleMesh& mesh, const WaterView& water, const HydrostaticQuery& query,
