@@ -1,15 +1,20 @@
 #include "bullet_buoyancy/hydrostatics/clusters_in_waves.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
+#include "bullet_buoyancy/hydrostatics/pack_sums.h"
+#include "bullet_buoyancy/hydrostatics/wave_kernels.h"
 
 namespace bullet_buoyancy {
 
 namespace {
 
-/// What the clusters may add to errors that triangles one by one would have too, over the error allowed.
-constexpr double extraError = 1.0 / 8;
+/// What clusters may add to the bound of the error that their triangles one by one would have: over the error
+/// allowed, or over that in the middle.
+constexpr double absoluteExtra = 1.0 / 4, relativeExtra = 1.0 / 4;
 
 Vec3 vectorOf(const PackRow<double> (&rows)[3], int lane) {
     return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
@@ -53,14 +58,15 @@ struct LocalQuadratic {
 /// Integrals of a quadratic f over the surface of a child. Third moments, which the bend asks for, are those
 /// of a surface that is all in the middle of the box.
 struct WeightedMoments {
-    double atOrigin;  // of the linear part of f
+    double atMiddle;  // f there
+    double atOrigin;  // its linear part there
     Vec3 gradient;
     Vec3 normal;  // of f n
     Mat3 first;   // of f x n^T
     Vec3 byBend;  // of (f - its linear part) n
 
     WeightedMoments(const LocalQuadratic& f, const Vec3& centre, const ChildMoments& moments)
-        : atOrigin(f.value - f.gradient.dot(centre)), gradient(f.gradient) {
+        : atMiddle(f.value), atOrigin(f.value - f.gradient.dot(centre)), gradient(f.gradient) {
         const Vec3 turn = f.bend * centre;
         const double bendOfCentre = turn.dot(centre);
         first = atOrigin * moments.first;
@@ -79,6 +85,118 @@ struct WeightedMoments {
     }
 };
 
+/// Integrals over the wet surface about the packed mesh's origin, as those of `WaveRows`.
+struct WetSums {
+    Vec3 headNormal = Vec3::Zero(), headTorque = Vec3::Zero();
+    double depth = 0;
+    Vec3 depthMoment = Vec3::Zero();
+    double depthSquared = 0, depthTimesHead = 0;
+    Vec3 error = Vec3::Zero();
+    double shadow = 0;
+    Vec3 shadowMoment = Vec3::Zero();
+    Mat3 shadowMoments2 = Mat3::Zero();
+    double area = 0;
+
+    void add(const WaveRows& rows) {
+        headNormal += sumOf(rows.headNormal);
+        headTorque += sumOf(rows.headTorque);
+        depth += sumOf(rows.depth);
+        depthMoment += sumOf(rows.depthMoment);
+        depthSquared += sumOf(rows.depthSquared);
+        depthTimesHead += sumOf(rows.depthTimesHead);
+        error += sumOf(rows.error);
+    }
+
+    void add(const ShadowRows<double>& rows) {
+        shadow += sumOf(rows.shadow);
+        shadowMoment += sumOf(rows.shadowMoment);
+        shadowMoments2 += symmetricSumOf(rows.shadowMoments2);
+        area += sumOf(rows.area);
+    }
+
+    /// A wet child. Of products of depth with depth or head, that of what both bend is left out.
+    void add(const WeightedMoments& ofDepth, const WeightedMoments& ofHead, const Vec3& up) {
+        const double byBend = up.dot(ofDepth.byBend);
+        const auto timesDepth = [&](const WeightedMoments& f) {
+            return ofDepth.atOrigin * up.dot(f.normal) + ofDepth.gradient.dot(f.first * up) +
+                   f.atMiddle * byBend;
+        };
+        headNormal += ofHead.normal;
+        headTorque += ofHead.torque();
+        depth += up.dot(ofDepth.normal);
+        depthMoment += ofDepth.first * up;
+        depthSquared += timesDepth(ofDepth);
+        depthTimesHead += timesDepth(ofHead);
+    }
+
+    void addShadow(const ChildMoments& moments, const Vec3& up) {
+        shadow += up.dot(moments.normal);
+        shadowMoment += moments.first * up;
+        for (Eigen::Index k = 0; k < 3; ++k)
+            shadowMoments2 += up[k] * moments.second[std::size_t(k)];
+    }
+
+    /// See `addPressure` of a triangle.
+    void addTo(WetIntegrals& integrals, const Vec3& origin, const Vec3& up) const {
+        integrals.headNormal += headNormal;
+        integrals.headTorque += headTorque + origin.cross(headNormal);
+        integrals.volume -= depth;
+        integrals.volumeMoment -= depthMoment + depthSquared / 2 * up + depth * origin;
+        integrals.headVolume -= depthTimesHead / 2;
+        integrals.error += error;
+    }
+
+    /// A point x throws its shadow on x + d up.
+    void addTo(Waterplane& waterplane, const Vec3& origin, const Vec3& up) const {
+        const Vec3 first = shadowMoment + depth * up;
+        const Mat3 cross = depthMoment * up.transpose() + first * origin.transpose();
+        waterplane.area -= shadow;
+        waterplane.firstMoment -= first + shadow * origin;
+        waterplane.secondMoment -= shadowMoments2 + cross + cross.transpose() +
+                                   depthSquared * up * up.transpose() + shadow * origin * origin.transpose();
+    }
+};
+
+/// Expansions side by side as a kernel reads them; what is there already is not written again.
+class PackWaterWriter {
+public:
+    PackWaterWriter(const WaterPatch& patch, const Vec3& origin) : m_patch(patch), m_origin(origin) {}
+
+    void write(int lane, const WaterExpansion& water) {
+        if (m_written[std::size_t(lane)] == &water) return;
+        m_written[std::size_t(lane)] = &water;
+        set(m_rows.centre, lane, water.centre - m_origin);
+        set(m_rows.depth, lane, water.depth);
+        if (m_patch.pressure() == PressureModel::waveDynamic) set(m_rows.head, lane, water.head);
+        // d^3 <= d^2 (d^2 / D + D) / 2, for any D about as large as d: no root is needed.
+        const double typical = 0.8 * m_patch.reach();
+        m_rows.secondError.lane[lane] = water.error.second + water.error.third * typical / 2;
+        m_rows.fourthError.lane[lane] = water.error.fourth + water.error.third / (2 * typical);
+    }
+
+    const PackWater& rows() const { return m_rows; }
+
+private:
+    static void set(PackRow<double> (&rows)[3], int lane, const Vec3& v) {
+        for (int i = 0; i < 3; ++i)
+            rows[i].lane[lane] = v[i];
+    }
+
+    static void set(QuadraticRows& rows, int lane, const Quadratic& q) {
+        rows.value.lane[lane] = q.value;
+        set(rows.gradient, lane, q.gradient);
+        int row = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j, ++row)
+                rows.bend[row].lane[lane] = q.bend(i, j);
+    }
+
+    const WaterPatch& m_patch;
+    const Vec3& m_origin;
+    PackWater m_rows;
+    std::array<const WaterExpansion*, packSize> m_written{};
+};
+
 class ClustersInWaves {
 public:
     ClustersInWaves(const Hull& hull, const WaterPatch& water, double headError,
@@ -89,10 +207,19 @@ public:
           m_water(water),
           m_headError(headError),
           m_query(query),
-          m_integrals(integrals) {
+          m_integrals(integrals),
+          m_packWater(water, hull.packed.origin),
+          m_wantsAll(query.needsWaterplane() || query.wettedArea),
+          m_addWet(waveKernels().addWet[int(m_wantsAll ? WetRowsAsked::all : WetRowsAsked::pressure)]) {
         const Vec3& up = water.upInBody();
         m_inPlan = Vec3::Ones();
         if (isHydrostatic()) m_inPlan = (m_inPlan - up.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+        m_sea.isHydrostatic = isHydrostatic();
+        for (int axis = 0; axis < 3; ++axis) {
+            m_sea.up[axis] = up[axis];
+            m_sea.largest[axis] = water.cellCount() == 1 ? infinity : water.cell()[axis];
+        }
+        m_rows = {};
     }
 
     void add() {
@@ -100,20 +227,29 @@ public:
         const auto count = std::uint32_t(m_mesh.levels.back().size());
         for (std::uint32_t first = 0; first < count; ++first)
             open(top, first);
+        m_sums.add(m_rows);
+        m_sums.addTo(m_integrals, m_origin, m_water.upInBody());
+        if (!m_wantsAll) return;
+        m_sums.add(m_rows.shadow);
+        if (m_query.needsWaterplane()) m_sums.addTo(m_integrals.waterplane, m_origin, m_water.upInBody());
+        if (m_query.wettedArea) m_integrals.wettedArea += m_sums.area;
     }
 
 private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     void open(int level, std::uint32_t index) {
         const Cluster<double>& cluster = m_mesh.levels[std::size_t(level)][index];
         for (int lane = 0; lane < packSize; ++lane) {
+            const Vec3 centre = vectorOf(cluster.centre, lane);
             const Vec3 halfExtents = vectorOf(cluster.halfExtents, lane);
             if (halfExtents.x() < 0) return;
-            if (addChild(vectorOf(cluster.centre, lane), halfExtents, cluster.moments, lane)) continue;
+            if (addChild(centre, halfExtents, cluster.moments, lane)) continue;
             const std::uint32_t child = index * packSize + std::uint32_t(lane);
             if (level > 0)
                 open(level - 1, child);
             else
-                addPackInWaves(m_mesh.packs[child], m_origin, m_water, m_headError, m_query, m_integrals);
+                addPack(m_mesh.packs[child], centre, halfExtents);
         }
     }
 
@@ -129,48 +265,41 @@ private:
         const double reach = depth.reach + depth.excess + error;
         if (depth.value <= -reach) return true;
         if (depth.value < reach) return false;
-        if (error - m_water.errorWithin(water, distance) > extraError * m_headError) return false;
+        const double inTheMiddle = m_water.errorWithin(water, distance);
+        if (error - inTheMiddle > std::max(absoluteExtra * m_headError, relativeExtra * inTheMiddle))
+            return false;
         const LocalQuadratic head(water.head, offset, halfExtents);
         if (head.excess * halfExtents.norm() > m_headError * m_hull.bounds.radius) return false;
         addWet(depth, head, centre, {rows, lane});
-        if (m_query.wettedArea) m_integrals.wettedArea += rows.area.lane[lane];
-        m_integrals.error += error * vectorOf(rows.unsignedNormal, lane);
+        m_sums.error += error * vectorOf(rows.unsignedNormal, lane);
+        m_sums.area += rows.area.lane[lane];
         return true;
     }
 
-    /// See `addPressure`: of products of depth with depth or head, that of their bends is left out.
     void addWet(const LocalQuadratic& depth, const LocalQuadratic& head, const Vec3& centre,
                 const ChildMoments& moments) {
         const Vec3& up = m_water.upInBody();
         const WeightedMoments ofDepth(depth, centre, moments);
-        const WeightedMoments ofHead = isHydrostatic() ? ofDepth : WeightedMoments(head, centre, moments);
-        const Vec3 depthMoment = ofDepth.first * up;
-        const double volume = -up.dot(ofDepth.normal), byBend = up.dot(ofDepth.byBend);
-        const auto timesDepth = [&](const WeightedMoments& f, double middle) {
-            return ofDepth.atOrigin * up.dot(f.normal) + ofDepth.gradient.dot(f.first * up) + middle * byBend;
-        };
-        const double depthSquared = timesDepth(ofDepth, depth.value);
-        m_integrals.headNormal += ofHead.normal;
-        m_integrals.headTorque += ofHead.torque() + m_origin.cross(ofHead.normal);
-        m_integrals.volume += volume;
-        m_integrals.volumeMoment += volume * m_origin - depthMoment - depthSquared / 2 * up;
-        m_integrals.headVolume -= timesDepth(ofHead, head.value) / 2;
-        if (m_query.needsWaterplane()) addShadow(moments, depthMoment, -volume, depthSquared);
+        if (isHydrostatic())
+            m_sums.add(ofDepth, ofDepth, up);
+        else
+            m_sums.add(ofDepth, WeightedMoments(head, centre, moments), up);
+        if (m_wantsAll) m_sums.addShadow(moments, up);
     }
 
-    /// A point x throws its shadow on x + d up. Arguments: integrals of d x, d and d^2 n_up.
-    void addShadow(const ChildMoments& moments, const Vec3& depthMoment, double depth, double depthSquared) {
-        const Vec3& up = m_water.upInBody();
-        const double shadow = up.dot(moments.normal);
-        const Vec3 first = moments.first * up + depth * up;
-        const Mat3 cross = depthMoment * up.transpose() + first * m_origin.transpose();
-        Waterplane& waterplane = m_integrals.waterplane;
-        waterplane.area -= shadow;
-        waterplane.firstMoment -= first + shadow * m_origin;
-        waterplane.secondMoment -= cross + cross.transpose() + depthSquared * up * up.transpose() +
-                                   shadow * m_origin * m_origin.transpose();
-        for (Eigen::Index k = 0; k < 3; ++k)
-            waterplane.secondMoment -= up[k] * moments.second[std::size_t(k)];
+    void addPack(const TrianglePack<double>& pack, const Vec3& centre, const Vec3& halfExtents) {
+        const Vec3 inBody = m_origin + centre;
+        const WaterExpansion& first = m_water.near(inBody - halfExtents);
+        const bool isInOne = &first == &m_water.near(inBody + halfExtents);
+        for (int lane = 0; lane < packSize; ++lane)
+            m_packWater.write(lane, isInOne ? first : m_water.near(m_origin + middleOf(pack, lane)));
+        std::array<std::uint8_t, packSize> left;
+        const int count = m_addWet(pack, m_packWater.rows(), m_sea, m_rows, left.data());
+        addInWaves(pack, left.data(), count, m_origin, m_water, m_headError, m_query, m_integrals);
+    }
+
+    static Vec3 middleOf(const TrianglePack<double>& pack, int lane) {
+        return (vectorOf(pack.a, lane) + vectorOf(pack.b, lane) + vectorOf(pack.c, lane)) / 3;
     }
 
     bool isHydrostatic() const { return m_water.pressure() == PressureModel::hydrostatic; }
@@ -183,6 +312,12 @@ private:
     const HydrostaticQuery& m_query;
     WetIntegrals& m_integrals;
     Vec3 m_inPlan;  // what of lengths along the body's axes counts as distance
+    PackWaterWriter m_packWater;
+    PackSea m_sea;
+    bool m_wantsAll;
+    AddWetTriangles m_addWet;
+    WaveRows m_rows;
+    WetSums m_sums;
 };
 
 }  // namespace

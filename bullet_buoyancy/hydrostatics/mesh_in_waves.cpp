@@ -125,13 +125,12 @@ public:
             add(water, {seen[t[0]], seen[t[1]], seen[t[2]]}, 0);
     }
 
-    void add(const TrianglePack<double>& pack, const Vec3& origin) {
+    void add(const TrianglePack<double>& pack, const std::uint8_t* which, int count, const Vec3& origin) {
         const auto corner = [&](const PackRow<double>(&rows)[3], int lane) {
             return Vec3(origin + Vec3(rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]));
         };
-        for (int lane = 0; lane < packSize; ++lane)
-            if (pack.area.lane[lane] > 0)
-                add(corner(pack.a, lane), corner(pack.b, lane), corner(pack.c, lane));
+        for (int i = 0; i < count; ++i)
+            add(corner(pack.a, which[i]), corner(pack.b, which[i]), corner(pack.c, which[i]));
     }
 
 private:
@@ -263,9 +262,10 @@ void addMeshInWaves(const TriangleMesh& mesh, const WaterPatch& water, double he
     if (!mesh.triangles.empty()) TrianglesInWaves(water, headError, query, integrals).add(mesh);
 }
 
-void addPackInWaves(const TrianglePack<double>& pack, const Vec3& origin, const WaterPatch& water,
-                    double headError, const HydrostaticQuery& query, WetIntegrals& integrals) {
-    TrianglesInWaves(water, headError, query, integrals).add(pack, origin);
+void addInWaves(const TrianglePack<double>& pack, const std::uint8_t* which, int count, const Vec3& origin,
+                const WaterPatch& water, double headError, const HydrostaticQuery& query,
+                WetIntegrals& integrals) {
+    TrianglesInWaves(water, headError, query, integrals).add(pack, which, count, origin);
 }
 
 int addMeshByCorners(const TriangleMesh& mesh, const WaterView& water, const HydrostaticQuery& query,

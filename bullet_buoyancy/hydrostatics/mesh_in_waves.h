@@ -13,9 +13,10 @@ namespace bullet_buoyancy {
 void addMeshInWaves(const TriangleMesh& mesh, const WaterPatch& water, double headError,
                     const HydrostaticQuery& query, WetIntegrals& integrals);
 
-/// The same for the triangles of a pack of a mesh with that origin.
-void addPackInWaves(const TrianglePack<double>& pack, const Vec3& origin, const WaterPatch& water,
-                    double headError, const HydrostaticQuery& query, WetIntegrals& integrals);
+/// The same for `count` triangles of a pack, `which` of them, of a mesh with that origin.
+void addInWaves(const TrianglePack<double>& pack, const std::uint8_t* which, int count, const Vec3& origin,
+                const WaterPatch& water, double headError, const HydrostaticQuery& query,
+                WetIntegrals& integrals);
 
 /// The same with water that is sampled at every corner of every triangle, exactly for a surface that is
 /// linear over each. Returns the number of samples.

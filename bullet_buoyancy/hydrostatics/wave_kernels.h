@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+
+#include "bullet_buoyancy/core/instruction_set.h"
+#include "bullet_buoyancy/hull/packs.h"
+#include "bullet_buoyancy/hydrostatics/clip_kernels.h"
+
+namespace bullet_buoyancy {
+
+/// A quadratic about a centre, for each triangle of a pack: see `Quadratic`.
+struct QuadraticRows {
+    PackRow<double> value, gradient[3];
+    PackRow<double> bend[6];  ///< xx, xy, xz, yy, yz, zz
+};
+
+/// The water about each triangle of a pack: see `WaterExpansion`.
+struct PackWater {
+    PackRow<double> centre[3];    ///< m
+    QuadraticRows depth, head;    ///< the latter only where it is another than the former
+    PackRow<double> secondError;  ///< bound of the error: of the squared distance from the centre,
+    PackRow<double> fourthError;  ///< and of its square
+};
+
+/// What is the same for all packs.
+struct PackSea {
+    double up[3];
+    double largest[3];  ///< size of a triangle along each axis, m: those that are larger are left
+    bool isHydrostatic;
+};
+
+/// Integrals over wholly wet triangles, each in sixteen parts, with d the depth, h the head, x the position
+/// and n the outward normal.
+struct WaveRows {
+    PackRow<double> headNormal[3];   ///< of h n, m^3
+    PackRow<double> headTorque[3];   ///< of h x cross n, m^4
+    PackRow<double> depth;           ///< of d n_up, m^3
+    PackRow<double> depthMoment[3];  ///< of d x n_up, m^4
+    PackRow<double> depthSquared;    ///< of d^2 n_up, m^4
+    PackRow<double> depthTimesHead;  ///< of d h n_up, m^4
+    PackRow<double> error[3];        ///< upper bound of that of `headNormal`, m^3
+    ShadowRows<double> shadow;       ///< if asked for
+};
+
+/// Adds the triangles of a pack that are wholly wet, whatever the error of the depth, with the water to
+/// second order; lists those that the surface may cut, or that are too large. Returns how many these are.
+/// Results are the same to the last bit for each instruction set.
+using AddWetTriangles = int (*)(const TrianglePack<double>& pack, const PackWater& water, const PackSea& sea,
+                                WaveRows& rows, std::uint8_t* left);
+
+/// By WetRowsAsked.
+struct WaveKernels {
+    AddWetTriangles addWet[2];
+};
+
+const WaveKernels& waveKernels(InstructionSet set = bestInstructionSet());
+
+}  // namespace bullet_buoyancy
