@@ -16,6 +16,10 @@ namespace {
 /// allowed, or over that in the middle.
 constexpr double absoluteExtra = 1.0 / 4, relativeExtra = 1.0 / 4;
 
+/// Of points where the error matters from the centre of their cell, over the cell's reach, and about what the
+/// kernel adds to the bound of the error, over it, for knowing no more of the distance.
+constexpr double typicalDistance = 0.6, extraOfKernel = 1.0 / 8;
+
 Vec3 vectorOf(const PackRow<double> (&rows)[3], int lane) {
     return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
 }
@@ -169,7 +173,7 @@ public:
         set(m_rows.depth, lane, water.depth);
         if (m_patch.pressure() == PressureModel::waveDynamic) set(m_rows.head, lane, water.head);
         // d^3 <= d^2 (d^2 / D + D) / 2, for any D about as large as d: no root is needed.
-        const double typical = 0.8 * m_patch.reach();
+        const double typical = typicalDistance * m_patch.reach();
         m_rows.secondError.lane[lane] = water.error.second + water.error.third * typical / 2;
         m_rows.fourthError.lane[lane] = water.error.fourth + water.error.third / (2 * typical);
     }
@@ -215,6 +219,8 @@ public:
         m_inPlan = Vec3::Ones();
         if (isHydrostatic()) m_inPlan = (m_inPlan - up.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
         m_sea.isHydrostatic = isHydrostatic();
+        m_sea.validity2 = water.validity() * water.validity();
+        m_sea.headError = headError;
         for (int axis = 0; axis < 3; ++axis) {
             m_sea.up[axis] = up[axis];
             m_sea.largest[axis] = water.cellCount() == 1 ? infinity : water.cell()[axis];
@@ -222,17 +228,18 @@ public:
         m_rows = {};
     }
 
-    void add() {
+    /// See `addClustersInWaves`.
+    Vec3 add() {
         const int top = int(m_mesh.levels.size()) - 1;
         const auto count = std::uint32_t(m_mesh.levels.back().size());
         for (std::uint32_t first = 0; first < count; ++first)
             open(top, first);
         m_sums.add(m_rows);
         m_sums.addTo(m_integrals, m_origin, m_water.upInBody());
-        if (!m_wantsAll) return;
-        m_sums.add(m_rows.shadow);
+        if (m_wantsAll) m_sums.add(m_rows.shadow);
         if (m_query.needsWaterplane()) m_sums.addTo(m_integrals.waterplane, m_origin, m_water.upInBody());
         if (m_query.wettedArea) m_integrals.wettedArea += m_sums.area;
+        return m_extraError + extraOfKernel * sumOf(m_rows.error);
     }
 
 private:
@@ -271,7 +278,10 @@ private:
         const LocalQuadratic head(water.head, offset, halfExtents);
         if (head.excess * halfExtents.norm() > m_headError * m_hull.bounds.radius) return false;
         addWet(depth, head, centre, {rows, lane});
-        m_sums.error += error * vectorOf(rows.unsignedNormal, lane);
+        const Vec3 unsignedNormal = vectorOf(rows.unsignedNormal, lane);
+        m_sums.error += error * unsignedNormal;
+        m_extraError +=
+            (error - m_water.errorWithin(water, distance - std::min(distance, radius))) * unsignedNormal;
         m_sums.area += rows.area.lane[lane];
         return true;
     }
@@ -318,13 +328,14 @@ private:
     AddWetTriangles m_addWet;
     WaveRows m_rows;
     WetSums m_sums;
+    Vec3 m_extraError = Vec3::Zero();
 };
 
 }  // namespace
 
-void addClustersInWaves(const Hull& hull, const WaterPatch& water, double headError,
+Vec3 addClustersInWaves(const Hull& hull, const WaterPatch& water, double headError,
                         const HydrostaticQuery& query, WetIntegrals& integrals) {
-    ClustersInWaves(hull, water, headError, query, integrals).add();
+    return ClustersInWaves(hull, water, headError, query, integrals).add();
 }
 
 }  // namespace bullet_buoyancy

@@ -166,15 +166,19 @@ int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackS
         const OverTriangles depth(water.depth, lane, oa, ob, oc);
         const Numbers second = load(water.secondError.lane + lane),
                       fourth = load(water.fourthError.lane + lane);
-        const auto errorAt = [&](const Vector& o) {
-            const Numbers along = up.dot(o), distance2 = o.dot(o) - inPlan * along * along;
-            return distance2 * (second + fourth * distance2);
+        const auto distance2 = [&](const Vector& o) {
+            const Numbers along = up.dot(o);
+            return o.dot(o) - inPlan * along * along;
         };
-        const Numbers ea = errorAt(oa), eb = errorAt(ob), ec = errorAt(oc);
-        const Numbers strayed = larger(ea, larger(eb, ec)) + depth.excess();
+        const auto errorAt = [&](const Numbers& d2) { return d2 * (second + fourth * d2); };
+        const Numbers da = distance2(oa), db = distance2(ob), dc = distance2(oc);
+        const Numbers farthest = larger(da, larger(db, dc)), largestError = errorAt(farthest);
+        const Numbers strayed = largestError + depth.excess();
         const Numbers area = load(pack.area.lane + lane);
         const Truths<double> notDry = (depth.most() > -strayed) & (area > none);
-        const Truths<double> wet = notDry & (depth.least() >= strayed) & t.areWithin(sea.largest);
+        const Truths<double> valid = (farthest <= spread(sea.validity2)) &
+                                     ((largestError <= spread(sea.headError)) | t.areWithin(sea.largest));
+        const Truths<double> wet = notDry & valid & (depth.least() >= strayed);
         store<double>(wet ? none : (notDry ? one : none), isLeft + lane);
 
         const WetSum add{wet, lane};
@@ -184,7 +188,7 @@ int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackS
         else
             addPressure(t, depth, OverTriangles(water.head, lane, oa, ob, oc), areaUp, add, rows);
         // The error is convex: over the triangle its mean is at most that of the corners.
-        const Numbers error = spread(1.0 / 3) * (ea + eb + ec);
+        const Numbers error = spread(1.0 / 3) * (errorAt(da) + errorAt(db) + errorAt(dc));
         add(rows.error, {error * absolute(t.areaVector.x), error * absolute(t.areaVector.y),
                          error * absolute(t.areaVector.z)});
         if constexpr (asked == WetRowsAsked::all) addShadow(t, areaUp, area, add, rows.shadow);

@@ -25,7 +25,9 @@ struct PackWater {
 /// What is the same for all packs.
 struct PackSea {
     double up[3];
-    double largest[3];  ///< size of a triangle along each axis, m: those that are larger are left
+    double validity2;   ///< square of the distance from its centre within which an error holds, m^2
+    double headError;   ///< allowed to triangles that are larger, m:
+    double largest[3];  ///< size of a triangle along each axis, m
     bool isHydrostatic;
 };
 
