@@ -16,9 +16,8 @@ namespace {
 /// allowed, or over that in the middle.
 constexpr double absoluteExtra = 1.0 / 4, relativeExtra = 1.0 / 4;
 
-/// Of points where the error matters from the centre of their cell, over the cell's reach, and about what the
-/// kernel adds to the bound of the error, over it, for knowing no more of the distance.
-constexpr double typicalDistance = 0.6, extraOfKernel = 1.0 / 8;
+/// About what the kernel adds to the bound of the error, over it, for knowing distances no better.
+constexpr double extraOfKernel = 1.0 / 32;
 
 Vec3 vectorOf(const PackRow<double> (&rows)[3], int lane) {
     return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
@@ -172,11 +171,10 @@ public:
         set(m_rows.centre, lane, water.centre - m_origin);
         set(m_rows.depth, lane, water.depth);
         if (m_patch.pressure() == PressureModel::waveDynamic) set(m_rows.head, lane, water.head);
-        // d^3 <= d^2 (d^2 / D + D) / 2, for any D about as large as d: no root is needed.
-        const double typical = typicalDistance * m_patch.reach();
-        m_rows.secondError.lane[lane] = water.error.second + water.error.third * typical / 2;
-        m_rows.fourthError.lane[lane] = water.error.fourth + water.error.third / (2 * typical);
+        set(m_rows.error, lane, {water.error.second, water.error.third, water.error.fourth});
     }
+
+    void setTypicalDistance(double distance) { m_rows.typicalDistance = distance; }
 
     const PackWater& rows() const { return m_rows; }
 
@@ -260,13 +258,22 @@ private:
         }
     }
 
+    /// As distances count, m.
+    double distanceOf(const Vec3& point, const WaterExpansion& water) const {
+        return std::sqrt(m_water.distanceSquared(water, point));
+    }
+
+    /// Of a box, as distances count, m.
+    double radiusOf(const Vec3& halfExtents) const {
+        return std::min(halfExtents.norm(), halfExtents.dot(m_inPlan));
+    }
+
     /// False if it must be opened.
     bool addChild(const Vec3& centre, const Vec3& halfExtents, const MomentRows<double>& rows, int lane) {
         const Vec3 inBody = m_origin + centre;
         const WaterExpansion& water = m_water.near(inBody);
         const Vec3 offset = inBody - water.centre;
-        const double distance = std::sqrt(m_water.distanceSquared(water, inBody));
-        const double radius = std::min(halfExtents.norm(), halfExtents.dot(m_inPlan));
+        const double distance = distanceOf(inBody, water), radius = radiusOf(halfExtents);
         const double error = m_water.errorWithin(water, distance + radius);
         const LocalQuadratic depth(water.depth, offset, halfExtents);
         const double reach = depth.reach + depth.excess + error;
@@ -280,8 +287,7 @@ private:
         addWet(depth, head, centre, {rows, lane});
         const Vec3 unsignedNormal = vectorOf(rows.unsignedNormal, lane);
         m_sums.error += error * unsignedNormal;
-        m_extraError +=
-            (error - m_water.errorWithin(water, distance - std::min(distance, radius))) * unsignedNormal;
+        m_extraError += (error - inTheMiddle) * unsignedNormal;
         m_sums.area += rows.area.lane[lane];
         return true;
     }
@@ -303,6 +309,8 @@ private:
         const bool isInOne = &first == &m_water.near(inBody + halfExtents);
         for (int lane = 0; lane < packSize; ++lane)
             m_packWater.write(lane, isInOne ? first : m_water.near(m_origin + middleOf(pack, lane)));
+        m_packWater.setTypicalDistance(
+            std::max(distanceOf(inBody, m_water.near(inBody)), radiusOf(halfExtents) / 2));
         std::array<std::uint8_t, packSize> left;
         const int count = m_addWet(pack, m_packWater.rows(), m_sea, m_rows, left.data());
         addInWaves(pack, left.data(), count, m_origin, m_water, m_headError, m_query, m_integrals);

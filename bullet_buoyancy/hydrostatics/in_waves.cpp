@@ -163,11 +163,12 @@ private:
     /// Adds what the hull has in the patch, unless the bound of the error is too large and may yet be made
     /// smaller. Returns what it is too large by.
     double addWith(const WaterPatch& patch, WetIntegrals& integrals, bool whatever = false) const {
+        constexpr double mayBeLess = 1.1;  // than it would be, is what is estimated
         Attempt attempt = attemptWith(patch, m_sum, integrals);
-        if (attempt.excess > 1 && attempt.excessOneByOne <= 1)
+        if (attempt.excess > 1 && attempt.excessOneByOne <= mayBeLess)
             attempt = attemptWith(patch, MeshSum::oneByOne, integrals);
         if (attempt.excess <= 1 || whatever) integrals = attempt.integrals;
-        return attempt.excess;
+        return attempt.excess <= 1 ? attempt.excess : attempt.excessOneByOne;
     }
 
     struct Attempt {

@@ -164,8 +164,11 @@ int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackS
         const Vector centre = loadVector(water.centre, lane);
         const Vector oa = t.a - centre, ob = t.b - centre, oc = t.c - centre;
         const OverTriangles depth(water.depth, lane, oa, ob, oc);
-        const Numbers second = load(water.secondError.lane + lane),
-                      fourth = load(water.fourthError.lane + lane);
+        // d^3 <= d^2 (d^2 / D + D) / 2, whatever D: no root is needed.
+        const Numbers third = load(water.error[1].lane + lane);
+        const Numbers second = load(water.error[0].lane + lane) + spread(water.typicalDistance / 2) * third,
+                      fourth =
+                          load(water.error[2].lane + lane) + spread(1 / (2 * water.typicalDistance)) * third;
         const auto distance2 = [&](const Vector& o) {
             const Numbers along = up.dot(o);
             return o.dot(o) - inPlan * along * along;

@@ -16,10 +16,10 @@ struct QuadraticRows {
 
 /// The water about each triangle of a pack: see `WaterExpansion`.
 struct PackWater {
-    PackRow<double> centre[3];    ///< m
-    QuadraticRows depth, head;    ///< the latter only where it is another than the former
-    PackRow<double> secondError;  ///< bound of the error: of the squared distance from the centre,
-    PackRow<double> fourthError;  ///< and of its square
+    PackRow<double> centre[3];  ///< m
+    QuadraticRows depth, head;  ///< the latter only where it is another than the former
+    PackRow<double> error[3];   ///< coefficients of the second, third and fourth power of the distance
+    double typicalDistance;     ///< of the triangles from the centres, m: bounds are looser with another
 };
 
 /// What is the same for all packs.

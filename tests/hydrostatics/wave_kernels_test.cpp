@@ -32,10 +32,10 @@ PackWater randomWater(Random& random) {
         fill(row, 1, random);
     fill(water.depth, random);
     fill(water.head, random);
-    for (int lane = 0; lane < packSize; ++lane) {
-        water.secondError.lane[lane] = random.uniform(0, 0.01);
-        water.fourthError.lane[lane] = random.uniform(0, 0.01);
-    }
+    for (PackRow<double>& row : water.error)
+        for (double& coefficient : row.lane)
+            coefficient = random.uniform(0, 0.01);
+    water.typicalDistance = random.uniform(0.1, 1);
     return water;
 }
 
