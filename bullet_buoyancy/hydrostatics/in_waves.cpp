@@ -163,9 +163,9 @@ private:
     /// Adds what the hull has in the patch, unless the bound of the error is too large and may yet be made
     /// smaller. Returns what it is too large by.
     double addWith(const WaterPatch& patch, WetIntegrals& integrals, bool whatever = false) const {
-        constexpr double mayBeLess = 1.1;  // than it would be, is what is estimated
+        constexpr double worthATry = 1.1;  // what is estimated may be too large by so much
         Attempt attempt = attemptWith(patch, m_sum, integrals);
-        if (attempt.excess > 1 && attempt.excessOneByOne <= mayBeLess)
+        if (attempt.excess > 1 && attempt.excessOneByOne <= worthATry)
             attempt = attemptWith(patch, MeshSum::oneByOne, integrals);
         if (attempt.excess <= 1 || whatever) integrals = attempt.integrals;
         return attempt.excess <= 1 ? attempt.excess : attempt.excessOneByOne;
