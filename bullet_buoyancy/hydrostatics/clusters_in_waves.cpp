@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
-#include "bullet_buoyancy/hydrostatics/pack_sums.h"
+#include "bullet_buoyancy/hydrostatics/pack_rows.h"
 #include "bullet_buoyancy/hydrostatics/wave_kernels.h"
+#include "bullet_buoyancy/hydrostatics/wet_sums.h"
 
 namespace bullet_buoyancy {
 
@@ -18,147 +19,6 @@ constexpr double absoluteExtra = 1.0 / 4, relativeExtra = 1.0 / 4;
 
 /// About what the kernel adds to the bound of the error, over it, for knowing distances no better.
 constexpr double extraOfKernel = 1.0 / 32;
-
-Vec3 vectorOf(const PackRow<double> (&rows)[3], int lane) {
-    return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
-}
-
-/// Those of `MomentRows` of one child.
-struct ChildMoments {
-    Vec3 normal;
-    Mat3 first;
-    std::array<Mat3, 3> second;  // second[k](i, j): of x_i x_j n_k
-
-    ChildMoments(const MomentRows<double>& rows, int lane) : normal(vectorOf(rows.normal, lane)) {
-        for (int i = 0; i < 3; ++i)
-            first.row(i) = vectorOf(rows.first[i], lane);
-        int row = 0;
-        for (int i = 0; i < 3; ++i)
-            for (int j = i; j < 3; ++j, ++row)
-                for (int k = 0; k < 3; ++k)
-                    second[std::size_t(k)](i, j) = second[std::size_t(k)](j, i) =
-                        rows.second[row][k].lane[lane];
-    }
-};
-
-/// A quadratic about the middle of a child's box.
-struct LocalQuadratic {
-    double value;
-    Vec3 gradient;
-    const Mat3& bend;
-    double reach;   // of the linear part over the box, either way
-    double excess;  // the most that the bend adds to it
-
-    LocalQuadratic(const Quadratic& q, const Vec3& offset, const Vec3& halfExtents) : bend(q.bend) {
-        const Vec3 turn = q.bend * offset;
-        value = q.value + offset.dot(q.gradient + turn / 2);
-        gradient = q.gradient + turn;
-        reach = gradient.cwiseAbs().dot(halfExtents);
-        excess = halfExtents.dot(q.bend.cwiseAbs() * halfExtents) / 2;
-    }
-};
-
-/// Integrals of a quadratic f over the surface of a child. Third moments, which the bend asks for, are those
-/// of a surface that is all in the middle of the box.
-struct WeightedMoments {
-    double atMiddle;  // f there
-    double atOrigin;  // its linear part there
-    Vec3 gradient;
-    Vec3 normal;  // of f n
-    Mat3 first;   // of f x n^T
-    Vec3 byBend;  // of (f - its linear part) n
-
-    WeightedMoments(const LocalQuadratic& f, const Vec3& centre, const ChildMoments& moments)
-        : atMiddle(f.value), atOrigin(f.value - f.gradient.dot(centre)), gradient(f.gradient) {
-        const Vec3 turn = f.bend * centre;
-        const double bendOfCentre = turn.dot(centre);
-        first = atOrigin * moments.first;
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            const Mat3& second = moments.second[std::size_t(k)];
-            first.col(k) += second * gradient;
-            byBend[k] = f.bend.cwiseProduct(second).sum() / 2 - turn.dot(moments.first.col(k)) +
-                        bendOfCentre * moments.normal[k] / 2;
-        }
-        normal = atOrigin * moments.normal + moments.first.transpose() * gradient + byBend;
-        first += centre * byBend.transpose();
-    }
-
-    Vec3 torque() const {
-        return {first(1, 2) - first(2, 1), first(2, 0) - first(0, 2), first(0, 1) - first(1, 0)};
-    }
-};
-
-/// Integrals over the wet surface about the packed mesh's origin, as those of `WaveRows`.
-struct WetSums {
-    Vec3 headNormal = Vec3::Zero(), headTorque = Vec3::Zero();
-    double depth = 0;
-    Vec3 depthMoment = Vec3::Zero();
-    double depthSquared = 0, depthTimesHead = 0;
-    Vec3 error = Vec3::Zero();
-    double shadow = 0;
-    Vec3 shadowMoment = Vec3::Zero();
-    Mat3 shadowMoments2 = Mat3::Zero();
-    double area = 0;
-
-    void add(const WaveRows& rows) {
-        headNormal += sumOf(rows.headNormal);
-        headTorque += sumOf(rows.headTorque);
-        depth += sumOf(rows.depth);
-        depthMoment += sumOf(rows.depthMoment);
-        depthSquared += sumOf(rows.depthSquared);
-        depthTimesHead += sumOf(rows.depthTimesHead);
-        error += sumOf(rows.error);
-    }
-
-    void add(const ShadowRows<double>& rows) {
-        shadow += sumOf(rows.shadow);
-        shadowMoment += sumOf(rows.shadowMoment);
-        shadowMoments2 += symmetricSumOf(rows.shadowMoments2);
-        area += sumOf(rows.area);
-    }
-
-    /// A wet child. Of products of depth with depth or head, that of what both bend is left out.
-    void add(const WeightedMoments& ofDepth, const WeightedMoments& ofHead, const Vec3& up) {
-        const double byBend = up.dot(ofDepth.byBend);
-        const auto timesDepth = [&](const WeightedMoments& f) {
-            return ofDepth.atOrigin * up.dot(f.normal) + ofDepth.gradient.dot(f.first * up) +
-                   f.atMiddle * byBend;
-        };
-        headNormal += ofHead.normal;
-        headTorque += ofHead.torque();
-        depth += up.dot(ofDepth.normal);
-        depthMoment += ofDepth.first * up;
-        depthSquared += timesDepth(ofDepth);
-        depthTimesHead += timesDepth(ofHead);
-    }
-
-    void addShadow(const ChildMoments& moments, const Vec3& up) {
-        shadow += up.dot(moments.normal);
-        shadowMoment += moments.first * up;
-        for (Eigen::Index k = 0; k < 3; ++k)
-            shadowMoments2 += up[k] * moments.second[std::size_t(k)];
-    }
-
-    /// See `addPressure` of a triangle.
-    void addTo(WetIntegrals& integrals, const Vec3& origin, const Vec3& up) const {
-        integrals.headNormal += headNormal;
-        integrals.headTorque += headTorque + origin.cross(headNormal);
-        integrals.volume -= depth;
-        integrals.volumeMoment -= depthMoment + depthSquared / 2 * up + depth * origin;
-        integrals.headVolume -= depthTimesHead / 2;
-        integrals.error += error;
-    }
-
-    /// A point x throws its shadow on x + d up.
-    void addTo(Waterplane& waterplane, const Vec3& origin, const Vec3& up) const {
-        const Vec3 first = shadowMoment + depth * up;
-        const Mat3 cross = depthMoment * up.transpose() + first * origin.transpose();
-        waterplane.area -= shadow;
-        waterplane.firstMoment -= first + shadow * origin;
-        waterplane.secondMoment -= shadowMoments2 + cross + cross.transpose() +
-                                   depthSquared * up * up.transpose() + shadow * origin * origin.transpose();
-    }
-};
 
 /// Expansions side by side as a kernel reads them; what is there already is not written again.
 class PackWaterWriter {
@@ -268,7 +128,7 @@ private:
         return std::min(halfExtents.norm(), halfExtents.dot(m_inPlan));
     }
 
-    /// False if it must be opened.
+    /// Nothing if it is dry, and by its moments if it is wet. False if it must be opened.
     bool addChild(const Vec3& centre, const Vec3& halfExtents, const MomentRows<double>& rows, int lane) {
         const Vec3 inBody = m_origin + centre;
         const WaterExpansion& water = m_water.near(inBody);
@@ -282,6 +142,7 @@ private:
         const double inTheMiddle = m_water.errorWithin(water, distance);
         if (error - inTheMiddle > std::max(absoluteExtra * m_headError, relativeExtra * inTheMiddle))
             return false;
+        // No bound is stated of the torque, but what the third moments leave out of it should be as little.
         const LocalQuadratic head(water.head, offset, halfExtents);
         if (head.excess * halfExtents.norm() > m_headError * m_hull.bounds.radius) return false;
         addWet(depth, head, centre, {rows, lane});
@@ -303,6 +164,7 @@ private:
         if (m_wantsAll) m_sums.addShadow(moments, up);
     }
 
+    /// Each triangle in the water of its middle's cell.
     void addPack(const TrianglePack<double>& pack, const Vec3& centre, const Vec3& halfExtents) {
         const Vec3 inBody = m_origin + centre;
         const WaterExpansion& first = m_water.near(inBody - halfExtents);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "bullet_buoyancy/hydrostatics/pack_rows.h"
 #include "bullet_buoyancy/hydrostatics/wet_triangle.h"
 
 namespace bullet_buoyancy {
@@ -126,11 +127,9 @@ public:
     }
 
     void add(const TrianglePack<double>& pack, const std::uint8_t* which, int count, const Vec3& origin) {
-        const auto corner = [&](const PackRow<double>(&rows)[3], int lane) {
-            return Vec3(origin + Vec3(rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]));
-        };
         for (int i = 0; i < count; ++i)
-            add(corner(pack.a, which[i]), corner(pack.b, which[i]), corner(pack.c, which[i]));
+            add(origin + vectorOf(pack.a, which[i]), origin + vectorOf(pack.b, which[i]),
+                origin + vectorOf(pack.c, which[i]));
     }
 
 private:

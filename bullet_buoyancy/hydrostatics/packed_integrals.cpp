@@ -3,7 +3,7 @@
 #include <array>
 
 #include "bullet_buoyancy/hydrostatics/clip_kernels.h"
-#include "bullet_buoyancy/hydrostatics/pack_sums.h"
+#include "bullet_buoyancy/hydrostatics/pack_rows.h"
 
 namespace bullet_buoyancy {
 

@@ -26,8 +26,8 @@ struct PackWater {
 struct PackSea {
     double up[3];
     double validity2;   ///< square of the distance from its centre within which an error holds, m^2
-    double headError;   ///< allowed to triangles that are larger, m:
-    double largest[3];  ///< size of a triangle along each axis, m
+    double largest[3];  ///< triangles that are larger along an axis, m, are left
+    double headError;   ///< but for those with an error of no more than this, m
     bool isHydrostatic;
 };
 
@@ -45,8 +45,8 @@ struct WaveRows {
 };
 
 /// Adds the triangles of a pack that are wholly wet, whatever the error of the depth, with the water to
-/// second order; lists those that the surface may cut, or that are too large. Returns how many these are.
-/// Results are the same to the last bit for each instruction set.
+/// second order; lists those left over, which the surface may cut or which are too large. Returns how many
+/// these are. Results are the same to the last bit for each instruction set.
 using AddWetTriangles = int (*)(const TrianglePack<double>& pack, const PackWater& water, const PackSea& sea,
                                 WaveRows& rows, std::uint8_t* left);
 

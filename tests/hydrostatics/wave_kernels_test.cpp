@@ -42,7 +42,7 @@ PackWater randomWater(Random& random) {
 PackSea randomSea(bool isHydrostatic, Random& random) {
     const Vec3 up = random.direction();
     const double size = random.uniform(0.1, 1);
-    return {{up.x(), up.y(), up.z()}, random.uniform(1, 9), 0.01, {size, size, size}, isHydrostatic};
+    return {{up.x(), up.y(), up.z()}, random.uniform(1, 9), {size, size, size}, 0.01, isHydrostatic};
 }
 
 struct Outcome {

@@ -5,6 +5,10 @@
 
 namespace bullet_buoyancy {
 
+inline Vec3 vectorOf(const PackRow<double> (&rows)[3], int lane) {
+    return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
+}
+
 /// Always in the same order.
 template <typename Real>
 double sumOf(const PackRow<Real>& row) {
