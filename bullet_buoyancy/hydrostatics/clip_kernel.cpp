@@ -191,7 +191,7 @@ int open(const Cluster<Real>& cluster, const PackPlane& plane, WetRows<Real>& ro
         const Lanes<Real> half = reach.dot(loadVector(cluster.halfExtents, lane));
         const Truths<Real> wet = depth - half > none;
         addWetChildren<Real, asked>(cluster.moments, lane, water, wet, rows);
-        store<Real>((depth - half <= none) & (depth + half > none) ? one : none, isCut + lane);
+        store<Real>(((depth - half <= none) & (depth + half > none)) ? one : none, isCut + lane);
     }
     int count = 0;
     for (int child = 0; child < packSize; ++child) {
