@@ -6,7 +6,7 @@
 
 #include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/pack_rows.h"
-#include "bullet_buoyancy/hydrostatics/wave_kernels.h"
+#include "bullet_buoyancy/hydrostatics/wet_kernels.h"
 #include "bullet_buoyancy/hydrostatics/wet_sums.h"
 
 namespace bullet_buoyancy {
@@ -72,7 +72,7 @@ public:
           m_integrals(integrals),
           m_packWater(water, hull.packed.origin),
           m_wantsAll(query.needsWaterplane() || query.wettedArea),
-          m_addWet(waveKernels().addWet[int(m_wantsAll ? WetRowsAsked::all : WetRowsAsked::pressure)]) {
+          m_addWet(wetKernels().addWet[int(m_wantsAll ? WetRowsAsked::all : WetRowsAsked::pressure)]) {
         const Vec3& up = water.upInBody();
         m_inPlan = Vec3::Ones();
         if (isHydrostatic()) m_inPlan = (m_inPlan - up.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
@@ -196,7 +196,7 @@ private:
     PackSea m_sea;
     bool m_wantsAll;
     AddWetTriangles m_addWet;
-    WaveRows m_rows;
+    HeadRows m_rows;
     WetSums m_sums;
     Vec3 m_extraError = Vec3::Zero();
 };

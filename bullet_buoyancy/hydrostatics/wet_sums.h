@@ -2,12 +2,12 @@
 
 #include "bullet_buoyancy/hydrostatics/child_moments.h"
 #include "bullet_buoyancy/hydrostatics/pack_rows.h"
-#include "bullet_buoyancy/hydrostatics/wave_kernels.h"
 #include "bullet_buoyancy/hydrostatics/wet_integrals.h"
+#include "bullet_buoyancy/hydrostatics/wet_kernels.h"
 
 namespace bullet_buoyancy {
 
-/// Integrals over the wet surface about the packed mesh's origin, as those of `WaveRows`.
+/// Integrals over the wet surface about the packed mesh's origin, as those of `HeadRows`.
 struct WetSums {
     Vec3 headNormal = Vec3::Zero(), headTorque = Vec3::Zero();
     double depth = 0;
@@ -19,7 +19,7 @@ struct WetSums {
     Mat3 shadowMoments2 = Mat3::Zero();
     double area = 0;
 
-    void add(const WaveRows& rows) {
+    void add(const HeadRows& rows) {
         headNormal += sumOf(rows.headNormal);
         headTorque += sumOf(rows.headTorque);
         depth += sumOf(rows.depth);

@@ -1,4 +1,4 @@
-#include "bullet_buoyancy/hydrostatics/wave_kernels.h"
+#include "bullet_buoyancy/hydrostatics/wet_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ PackSea randomSea(bool isHydrostatic, Random& random) {
 }
 
 struct Outcome {
-    WaveRows rows{};
+    HeadRows rows{};
     std::vector<std::uint8_t> left;
 
     bool operator==(const Outcome& other) const {
@@ -59,13 +59,13 @@ Outcome outcomeOf(InstructionSet set, const PackedTriangles<double>& mesh, const
     Outcome outcome;
     for (const TrianglePack<double>& pack : mesh.packs) {
         std::uint8_t left[packSize];
-        const int count = waveKernels(set).addWet[int(asked)](pack, water, sea, outcome.rows, left);
+        const int count = wetKernels(set).addWet[int(asked)](pack, water, sea, outcome.rows, left);
         outcome.left.insert(outcome.left.end(), left, left + count);
     }
     return outcome;
 }
 
-TEST(WaveKernels, AreTheSameToTheLastBit) {
+TEST(WetKernels, AreTheSameToTheLastBit) {
     const PackedMesh mesh = packMesh(bumpyMesh(2), Vec3::Zero());
     Random random(1);
     std::size_t left = 0;

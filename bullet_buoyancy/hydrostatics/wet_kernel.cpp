@@ -1,7 +1,7 @@
 // Compiled once for each instruction set: see core/lanes.h.
 
 #include "bullet_buoyancy/hydrostatics/lane_vector.h"
-#include "bullet_buoyancy/hydrostatics/wave_kernels.h"
+#include "bullet_buoyancy/hydrostatics/wet_kernels.h"
 
 namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL {
 
@@ -123,7 +123,7 @@ struct WetSum {
 };
 
 void addPressure(const LaneTriangles& t, const OverTriangles& depth, const OverTriangles& head,
-                 const Numbers& areaUp, const WetSum& add, WaveRows& rows) {
+                 const Numbers& areaUp, const WetSum& add, HeadRows& rows) {
     const Vector depthMoment = depth.meanMoment(t);
     const Vector headMoment = &depth == &head ? depthMoment : head.meanMoment(t);
     const Numbers depthSquared = meanProduct(depth, depth);
@@ -154,7 +154,7 @@ void addShadow(const LaneTriangles& t, const Numbers& areaUp, const Numbers& are
 }
 
 template <WetRowsAsked asked>
-int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackSea& sea, WaveRows& rows,
+int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackSea& sea, HeadRows& rows,
            std::uint8_t* left) {
     const Vector up{spread(sea.up[0]), spread(sea.up[1]), spread(sea.up[2])};
     const Numbers none{}, one = spread(1.0), inPlan = spread(sea.isHydrostatic ? 1.0 : 0.0);
@@ -206,7 +206,7 @@ int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackS
 
 }  // namespace
 
-extern const WaveKernels wetInWaves;
-const WaveKernels wetInWaves = {{addWet<WetRowsAsked::pressure>, addWet<WetRowsAsked::all>}};
+extern const WetKernels wetTriangles;
+const WetKernels wetTriangles = {{addWet<WetRowsAsked::pressure>, addWet<WetRowsAsked::all>}};
 
 }  // namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL

@@ -33,7 +33,7 @@ struct PackSea {
 
 /// Integrals over wholly wet triangles, each in sixteen parts, with d the depth, h the head, x the position
 /// and n the outward normal.
-struct WaveRows {
+struct HeadRows {
     PackRow<double> headNormal[3];   ///< of h n, m^3
     PackRow<double> headTorque[3];   ///< of h x cross n, m^4
     PackRow<double> depth;           ///< of d n_up, m^3
@@ -48,13 +48,13 @@ struct WaveRows {
 /// second order; lists those left over, which the surface may cut or which are too large. Returns how many
 /// these are. Results are the same to the last bit for each instruction set.
 using AddWetTriangles = int (*)(const TrianglePack<double>& pack, const PackWater& water, const PackSea& sea,
-                                WaveRows& rows, std::uint8_t* left);
+                                HeadRows& rows, std::uint8_t* left);
 
 /// By WetRowsAsked.
-struct WaveKernels {
+struct WetKernels {
     AddWetTriangles addWet[2];
 };
 
-const WaveKernels& waveKernels(InstructionSet set = bestInstructionSet());
+const WetKernels& wetKernels(InstructionSet set = bestInstructionSet());
 
 }  // namespace bullet_buoyancy
