@@ -47,6 +47,7 @@ struct Piece {
     Vec3 normal = Vec3::Zero();
     Mat3 first = Mat3::Zero();
     std::array<Mat3, 3> second{Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};  // second[k](i, j): of x_i x_j n_k
+    Vec3 unsignedNormal = Vec3::Zero();
     double area = 0;
 
     void add(const Corners& t) {
@@ -60,6 +61,7 @@ struct Piece {
         first += sum / 3 * areaVector.transpose();
         for (Eigen::Index k = 0; k < 3; ++k)
             second[std::size_t(k)] += areaVector[k] / 12 * square;
+        unsignedNormal += areaVector.cwiseAbs();
         area += areaVector.norm();
     }
 
@@ -69,6 +71,7 @@ struct Piece {
         first += other.first;
         for (std::size_t k = 0; k < 3; ++k)
             second[k] += other.second[k];
+        unsignedNormal += other.unsignedNormal;
         area += other.area;
     }
 };
@@ -86,6 +89,7 @@ void write(const Piece& piece, int lane, Cluster<Real>& cluster) {
         cluster.centre[i].lane[lane] = Real(centre[i]);
         cluster.halfExtents[i].lane[lane] = Real(halfExtents[i]);
         moments.normal[i].lane[lane] = Real(piece.normal[i]);
+        moments.unsignedNormal[i].lane[lane] = Real(piece.unsignedNormal[i]);
         for (int j = 0; j < 3; ++j)
             moments.first[i][j].lane[lane] = Real(piece.first(i, j));
     }

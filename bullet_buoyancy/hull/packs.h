@@ -25,10 +25,11 @@ struct TrianglePack {
 /// depth which are linear over it can ask for.
 template <typename Real>
 struct MomentRows {
-    PackRow<Real> normal[3];     ///< of n, m^2
-    PackRow<Real> first[3][3];   ///< of x_i n_j, m^3
-    PackRow<Real> second[6][3];  ///< of x_i x_j n_k, with ij = xx, xy, xz, yy, yz, zz, m^4
-    PackRow<Real> area;          ///< m^2
+    PackRow<Real> normal[3];          ///< of n, m^2
+    PackRow<Real> first[3][3];        ///< of x_i n_j, m^3
+    PackRow<Real> second[6][3];       ///< of x_i x_j n_k, with ij = xx, xy, xz, yy, yz, zz, m^4
+    PackRow<Real> unsignedNormal[3];  ///< of |n_i|, m^2
+    PackRow<Real> area;               ///< m^2
 };
 
 /// Sixteen packs or clusters side by side: a box about each, and the moments of its surface. Those that are

@@ -1,7 +1,7 @@
 // Compiled once for each instruction set: see core/lanes.h.
 
-#include "bullet_buoyancy/core/lanes.h"
 #include "bullet_buoyancy/hydrostatics/clip_kernels.h"
+#include "bullet_buoyancy/hydrostatics/lane_vector.h"
 
 namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL {
 
@@ -10,35 +10,6 @@ namespace {
 /// Depths smaller than its square root may be rounded to nothing, m^2.
 template <typename Real>
 constexpr Real smallest = Real(sizeof(Real) == sizeof(float) ? 1e-37 : 1e-300);
-
-template <typename Real>
-struct LaneVector {
-    Lanes<Real> x, y, z;
-
-    Lanes<Real> dot(const LaneVector& o) const { return x * o.x + y * o.y + z * o.z; }
-    LaneVector operator+(const LaneVector& o) const { return {x + o.x, y + o.y, z + o.z}; }
-    LaneVector operator-(const LaneVector& o) const { return {x - o.x, y - o.y, z - o.z}; }
-};
-
-template <typename Real>
-LaneVector<Real> operator*(const Lanes<Real>& factor, const LaneVector<Real>& v) {
-    return {factor * v.x, factor * v.y, factor * v.z};
-}
-
-template <typename Real>
-LaneVector<Real> select(const Truths<Real>& truths, const LaneVector<Real>& yes, const LaneVector<Real>& no) {
-    return {truths ? yes.x : no.x, truths ? yes.y : no.y, truths ? yes.z : no.z};
-}
-
-template <typename Real>
-LaneVector<Real> loadVector(const PackRow<Real> (&rows)[3], int lane) {
-    return {load(rows[0].lane + lane), load(rows[1].lane + lane), load(rows[2].lane + lane)};
-}
-
-template <typename Real>
-void addTo(PackRow<Real>& row, int lane, const Lanes<Real>& summand) {
-    store<Real>(load(row.lane + lane) + summand, row.lane + lane);
-}
 
 template <typename Real>
 struct LanePlane {
@@ -220,7 +191,7 @@ int open(const Cluster<Real>& cluster, const PackPlane& plane, WetRows<Real>& ro
         const Lanes<Real> half = reach.dot(loadVector(cluster.halfExtents, lane));
         const Truths<Real> wet = depth - half > none;
         addWetChildren<Real, asked>(cluster.moments, lane, water, wet, rows);
-        store<Real>((depth - half <= none) & (depth + half > none) ? one : none, isCut + lane);
+        store<Real>(((depth - half <= none) & (depth + half > none)) ? one : none, isCut + lane);
     }
     int count = 0;
     for (int child = 0; child < packSize; ++child) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/hydrostatics/clusters_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/mesh_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/solid_in_waves.h"
 #include "bullet_buoyancy/hydrostatics/tangent_water.h"
@@ -163,13 +164,31 @@ private:
     /// Adds what the hull has in the patch, unless the bound of the error is too large and may yet be made
     /// smaller. Returns what it is too large by.
     double addWith(const WaterPatch& patch, WetIntegrals& integrals, bool whatever = false) const {
-        WetIntegrals now = integrals;
-        addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
+        constexpr double worthATry = 1.1;  // what is estimated may be too large by so much
+        Attempt attempt = attemptWith(patch, m_sum, integrals);
+        if (attempt.excess > 1 && attempt.excessOneByOne <= worthATry)
+            attempt = attemptWith(patch, MeshSum::oneByOne, integrals);
+        if (attempt.excess <= 1 || whatever) integrals = attempt.integrals;
+        return attempt.excess <= 1 ? attempt.excess : attempt.excessOneByOne;
+    }
+
+    struct Attempt {
+        WetIntegrals integrals;
+        double excess;          // what the bound of the error is over that allowed
+        double excessOneByOne;  // about what it would be, were triangles summed up one by one
+    };
+
+    Attempt attemptWith(const WaterPatch& patch, MeshSum sum, const WetIntegrals& soFar) const {
+        WetIntegrals now = soFar;
+        Vec3 extra = Vec3::Zero();
+        if (sum == MeshSum::oneByOne || m_hull.packed.full.levels.empty())
+            addMeshInWaves(m_hull.mesh, patch, allowedHeadError(), m_query, now);
+        else
+            extra = addClustersInWaves(m_hull, patch, allowedHeadError(), m_query, now);
         addSolids(patch, allowedHeadError(), now);
         const double lasting = now.lastingError.norm();
-        const double excess = now.error.norm() / std::max(m_tolerance - lasting, lasting / 4);
-        if (excess <= 1 || whatever) integrals = now;
-        return excess;
+        const double allowed = std::max(m_tolerance - lasting, lasting / 4);
+        return {now, now.error.norm() / allowed, (now.error - extra).norm() / allowed};
     }
 
     void addByCorners(WetIntegrals& integrals) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "bullet_buoyancy/hydrostatics/pack_rows.h"
 #include "bullet_buoyancy/hydrostatics/wet_triangle.h"
 
 namespace bullet_buoyancy {
@@ -123,6 +124,12 @@ public:
             seen[i] = see(water, vertices[i]);
         for (const Triangle& t : mesh.triangles)
             add(water, {seen[t[0]], seen[t[1]], seen[t[2]]}, 0);
+    }
+
+    void add(const TrianglePack<double>& pack, const std::uint8_t* which, int count, const Vec3& origin) {
+        for (int i = 0; i < count; ++i)
+            add(origin + vectorOf(pack.a, which[i]), origin + vectorOf(pack.b, which[i]),
+                origin + vectorOf(pack.c, which[i]));
     }
 
 private:
@@ -252,6 +259,12 @@ double strayedWithin(const Corners& p, double bend) {
 void addMeshInWaves(const TriangleMesh& mesh, const WaterPatch& water, double headError,
                     const HydrostaticQuery& query, WetIntegrals& integrals) {
     if (!mesh.triangles.empty()) TrianglesInWaves(water, headError, query, integrals).add(mesh);
+}
+
+void addInWaves(const TrianglePack<double>& pack, const std::uint8_t* which, int count, const Vec3& origin,
+                const WaterPatch& water, double headError, const HydrostaticQuery& query,
+                WetIntegrals& integrals) {
+    TrianglesInWaves(water, headError, query, integrals).add(pack, which, count, origin);
 }
 
 int addMeshByCorners(const TriangleMesh& mesh, const WaterView& water, const HydrostaticQuery& query,

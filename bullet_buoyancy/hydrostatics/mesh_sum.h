@@ -2,8 +2,8 @@
 
 namespace bullet_buoyancy {
 
-/// How the triangles of a mesh under a plane of water are summed up. What comes out is the same but for
-/// rounding.
+/// How the triangles of a mesh are summed up. Under a plane of water what comes out is the same but for
+/// rounding, in waves within the tolerance; there packs are summed up as clusters are.
 enum class MeshSum {
     oneByOne,    ///< the law
     inPacks,     ///< many at a time, by vector instructions

@@ -4,25 +4,11 @@
 #include <array>
 
 #include "bullet_buoyancy/hydrostatics/clip_kernels.h"
+#include "bullet_buoyancy/hydrostatics/pack_rows.h"
 
 namespace bullet_buoyancy {
 
 namespace {
-
-template <typename Real>
-double sumOf(const PackRow<Real>& row) {
-    Real eight[8], four[4];
-    for (int i = 0; i < 8; ++i)
-        eight[i] = row.lane[i] + row.lane[i + 8];
-    for (int i = 0; i < 4; ++i)
-        four[i] = eight[i] + eight[i + 4];
-    return (double(four[0]) + double(four[2])) + (double(four[1]) + double(four[3]));
-}
-
-template <typename Real>
-Vec3 sumOf(const PackRow<Real> (&rows)[3]) {
-    return {sumOf(rows[0]), sumOf(rows[1]), sumOf(rows[2])};
-}
 
 /// Asks for the first lines of what will be read soon, of a large mesh from far away in memory; what follows
 /// on them comes by itself.
@@ -146,13 +132,7 @@ void addShadow(const ShadowRows<Real>& rows, const PackPlane& plane, const Vec3&
     const Mat3 flat = Mat3::Identity() - up * up.transpose();
     const double area = -sumOf(rows.shadow);
     const Vec3 first = -flat * sumOf(rows.shadowMoment);
-    const double xx = -sumOf(rows.shadowMoments2[0]), xy = -sumOf(rows.shadowMoments2[1]),
-                 xz = -sumOf(rows.shadowMoments2[2]), yy = -sumOf(rows.shadowMoments2[3]),
-                 yz = -sumOf(rows.shadowMoments2[4]), zz = -sumOf(rows.shadowMoments2[5]);
-    Mat3 second;
-    second << xx, xy, xz,  //
-        xy, yy, yz,        //
-        xz, yz, zz;
+    const Mat3 second = -symmetricSumOf(rows.shadowMoments2);
     const Vec3 offset = origin + plane.depthOfOrigin * up;
     waterplane.area += area;
     waterplane.firstMoment += first + area * offset;

@@ -109,6 +109,9 @@ public:
     /// From the centre of a cell to its farthest point, as distances count, m.
     double reach() const { return m_reach; }
 
+    /// How far from their centres the cells' own errors hold, as distances count, m.
+    double validity() const { return m_validity; }
+
     /// Edges of a cell along the body's axes, m.
     const Vec3& cell() const { return m_cell; }
 

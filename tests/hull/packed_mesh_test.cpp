@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "bullet_buoyancy/hull/surface_moments.h"
 #include "bullet_buoyancy/hull/volume_moments.h"
 #include "support/bumpy_mesh.h"
 #include "support/known_solids.h"
@@ -98,11 +99,12 @@ TEST(PackedMesh, MomentsOfTheHighestClustersAreThoseOfTheSolid) {
     const PackedMesh packed = packMesh(mesh, Vec3::Zero());
     const VolumeMoments expected = volumeMoments(mesh);
     double volume = 0;
-    Vec3 normal = Vec3::Zero(), firstMoment = Vec3::Zero();
+    Vec3 normal = Vec3::Zero(), unsignedNormal = Vec3::Zero(), firstMoment = Vec3::Zero();
     for (const Cluster<double>& cluster : packed.full.levels.back())
         for (std::size_t lane = 0; lane < packSize; ++lane) {
             const MomentRows<double>& moments = cluster.moments;
             normal += corner(moments.normal, lane);
+            unsignedNormal += corner(moments.unsignedNormal, lane);
             volume += moments.first[2][2].lane[lane];
             firstMoment += Vec3(moments.second[0][0].lane[lane] / 2, moments.second[3][1].lane[lane] / 2,
                                 moments.second[5][2].lane[lane] / 2);
@@ -110,6 +112,7 @@ TEST(PackedMesh, MomentsOfTheHighestClustersAreThoseOfTheSolid) {
     // Rounding of sums of 5,120 numbers.
     const double rounding = 1e-13;
     EXPECT_LT(normal.norm(), rounding);
+    EXPECT_LT((unsignedNormal - 2 * surfaceMoments(mesh).shadows).norm(), rounding);
     EXPECT_NEAR(volume, expected.volume, rounding);
     EXPECT_LT((firstMoment - expected.firstMoment).norm(), rounding);
 }
