@@ -34,8 +34,10 @@ struct LaneTriangles {
           areaVector(loadVector(pack.areaVector, lane)) {}
 
     Truths<double> areWithin(const double (&size)[3]) const {
-        return (span(a.x, b.x, c.x) <= spread(size[0])) & (span(a.y, b.y, c.y) <= spread(size[1])) &
-               (span(a.z, b.z, c.z) <= spread(size[2]));
+        const Truths<double> x = span(a.x, b.x, c.x) <= spread(size[0]),
+                             y = span(a.y, b.y, c.y) <= spread(size[1]),
+                             z = span(a.z, b.z, c.z) <= spread(size[2]);
+        return x & y & z;
     }
 
     static Numbers span(const Numbers& a, const Numbers& b, const Numbers& c) {
@@ -179,9 +181,9 @@ int addWet(const TrianglePack<double>& pack, const PackWater& water, const PackS
         const Numbers strayed = largestError + depth.excess();
         const Numbers area = load(pack.area.lane + lane);
         const Truths<double> notDry = (depth.most() > -strayed) & (area > none);
-        const Truths<double> valid = (farthest <= spread(sea.validity2)) &
-                                     ((largestError <= spread(sea.headError)) | t.areWithin(sea.largest));
-        const Truths<double> wet = notDry & valid & (depth.least() >= strayed);
+        const Truths<double> valid = farthest <= spread(sea.validity2),
+                             exact = largestError <= spread(sea.headError), small = t.areWithin(sea.largest);
+        const Truths<double> wet = notDry & valid & (exact | small) & (depth.least() >= strayed);
         store<double>(wet ? none : (notDry ? one : none), isLeft + lane);
 
         const WetSum add{wet, lane};
