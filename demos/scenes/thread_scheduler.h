@@ -3,6 +3,8 @@
 #include <LinearMath/btThreads.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -11,7 +13,8 @@
 namespace bullet_buoyancy::scenes {
 
 /// A task scheduler for Bullet with threads that live as long as it does, so that it serves a Bullet that was
-/// built without one. Pieces of work are dealt out in turn. While it lives, it is Bullet's.
+/// built without one. Pieces of work are dealt out in turn. Threads look out for work for about a millisecond
+/// before they sleep, as Bullet's own do. While it lives, it is Bullet's.
 class ThreadScheduler final : public btITaskScheduler {
 public:
     explicit ThreadScheduler(int threads) : btITaskScheduler("threads"), m_threads(threads) {
@@ -34,8 +37,8 @@ public:
         const Work work{&body, begin, end, grain};
         giveWork(work);
         doShare(work, 0);
-        std::unique_lock<std::mutex> lock(m_mutex);
-        m_changed.wait(lock, [this] { return m_busy == 0; });
+        while (m_busy > 0)
+            std::this_thread::yield();
         m_handedOver += (end - begin + grain - 1) / grain > 1 && m_threads > 1;
     }
     btScalar parallelSum(int begin, int end, int, const btIParallelSumBody& body) override {
@@ -72,17 +75,25 @@ private:
             if (!work.body) return;
             lock.unlock();
             doShare(work, thread);
+            --m_busy;
+            lookOut(done + 1);
             lock.lock();
-            if (--m_busy == 0) m_changed.notify_all();
         }
+    }
+
+    void lookOut(int done) const {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1);
+        while (m_round <= done && std::chrono::steady_clock::now() < end)
+            std::this_thread::yield();
     }
 
     int m_threads;
     std::vector<std::thread> m_workers;
-    std::mutex m_mutex;  // of what follows
+    std::mutex m_mutex;  // of the work
     std::condition_variable m_changed;
     Work m_work;
-    int m_round = 0, m_busy = 0, m_handedOver = 0;
+    std::atomic<int> m_round{0}, m_busy{0};
+    int m_handedOver = 0;
 };
 
 }  // namespace bullet_buoyancy::scenes
