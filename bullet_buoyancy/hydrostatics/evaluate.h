@@ -4,7 +4,7 @@
 
 namespace bullet_buoyancy {
 
-/// The cheapest of the evaluators for that hull: what the action uses.
+/// The cheapest of the evaluators for that hull, water and tolerance: what the action uses.
 HydrostaticResult evaluate(const Hull& hull, const Pose& pose, const WaterField& water,
                            const HydrostaticQuery& query = {});
 

@@ -4,10 +4,9 @@
 
 namespace bullet_buoyancy {
 
-/// As `evaluateExact`, but where the water about a hull is a plane the triangles of a closed mesh are summed
-/// up sixteen at a time by the widest vector instructions of the machine, in the query's precision. The
-/// result is the same on every machine, to the last bit. Elsewhere in waves closed or open meshes go the way
-/// of `evaluateClustered`, in full precision.
+/// As `evaluateExact`, but the triangles of a closed mesh are summed up sixteen at a time by the widest
+/// vector instructions of the machine: in the query's precision where the water about the hull is a plane, or
+/// near enough to one for the tolerance. Its sums are the same on every machine, to the last bit.
 HydrostaticResult evaluateBatch(const Hull& hull, const Pose& pose, const WaterField& water,
                                 const HydrostaticQuery& query = {});
 

@@ -5,10 +5,8 @@
 namespace bullet_buoyancy {
 
 /// As `evaluateBatch`, but only those triangles are looked at that are near the surface: of clusters that are
-/// wholly wet the moments do, made once with the hull. The cost grows as the waterline does, about as the
-/// square root of the number of triangles. In waves a cluster
-/// must also be small against the water's cells, so that its error is about the same all over it; the
-/// tolerance and the bound are those of `evaluateExact`.
+/// wholly wet the moments do, made once with the hull, in waves with the water to second order. The cost
+/// grows as the waterline does, about as the square root of the number of triangles.
 HydrostaticResult evaluateClustered(const Hull& hull, const Pose& pose, const WaterField& water,
                                     const HydrostaticQuery& query = {});
 

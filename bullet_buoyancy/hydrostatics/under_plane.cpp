@@ -50,8 +50,9 @@ Displacement displacementUnderPlane(const Hull& hull, const WaterPlane& plane, M
                                     Precision precision) {
     if (isDry(hull, plane)) return {};
     if (isUnder(hull, plane)) return allOf(hull, plane);
+    if (hull.spheres.empty()) return displacementOf(hull.packed, plane, sum, precision);
     Displacement displaced;
-    if (!hull.mesh.triangles.empty()) displaced = displacementOf(hull.packed, plane, sum, precision);
+    if (!hull.mesh.triangles.empty()) displaced += displacementOf(hull.packed, plane, sum, precision);
     for (const Sphere& sphere : hull.spheres)
         displaced += displacementOf(sphere, plane);
     return displaced;

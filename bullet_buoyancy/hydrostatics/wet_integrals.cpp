@@ -32,11 +32,11 @@ HydrostaticResult toResult(const Displacement& displaced, const Pose& pose, cons
                            const HydrostaticQuery& query) {
     const double weightDensity = water.density() * query.gravity;
     HydrostaticResult result;
-    result.forceWorld = weightDensity * displaced.volume * water.frame().upWorld();
+    const Vec3 up = water.frame().upWorld(), moment = pose.orientation * displaced.volumeMoment;
+    result.forceWorld = weightDensity * displaced.volume * up;
+    result.torqueAboutCom = weightDensity * moment.cross(up);
     result.submergedVolume = displaced.volume;
-    if (displaced.volume != 0)
-        result.centreOfBuoyancyFromCom = pose.orientation * (displaced.volumeMoment / displaced.volume);
-    result.torqueAboutCom = result.centreOfBuoyancyFromCom.cross(result.forceWorld);
+    if (displaced.volume != 0) result.centreOfBuoyancyFromCom = moment / displaced.volume;
     result.potentialEnergy = weightDensity * displaced.headVolume;
     result.forceErrorBound = weightDensity * displaced.error;
     result.waterSamples = 1;
