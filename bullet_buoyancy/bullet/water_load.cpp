@@ -29,7 +29,11 @@ Load WaterLoad::at(const Pose& pose, Mat6* stiffness) const {
     Load load;
     load.force = pressure.forceWorld + weight();
     load.torque = pressure.torqueAboutCom;
-    load.potential = pressure.potentialEnergy + gravitationalEnergyAt(pose);
+    const double gravitational = gravitationalEnergyAt(pose);
+    load.potential = pressure.potentialEnergy + gravitational;
+    constexpr double operations = 16;  // that round, about
+    load.potentialRounding = operations * std::numeric_limits<double>::epsilon() *
+                             (std::abs(pressure.potentialEnergy) + std::abs(gravitational));
     load.displacement = pressure.submergedVolume;
     load.centreFromCom = pressure.centreOfBuoyancyFromCom;
     load.forceErrorBound = pressure.forceErrorBound;

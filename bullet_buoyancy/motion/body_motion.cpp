@@ -107,7 +107,7 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     const bool owed = isHeld();  // others will take it: the body has it only when it leaves
     if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
     m_energy = account(inertia, calm, foreseen);
-    if (def.scheme == StepScheme::guarded && m_energy > m_available) {
+    if (def.scheme == StepScheme::guarded && m_energy > m_available + m_load.potentialRounding) {
         limitEnergy(m_motion, inertia, m_load, {m_available, now.up(), m_isUnresolved});
         m_energy = totalEnergy(m_motion, inertia, m_load);
     }

@@ -72,7 +72,7 @@ double keptEnergy(const Motion& motion, const Inertia& inertia, const Vec3& up) 
 void limitEnergy(Motion& motion, const Inertia& inertia, const Load& load, const EnergyLimit& limit) {
     const auto surplus = [&] { return totalEnergy(motion, inertia, load) - limit.available; };
     const double before = surplus();
-    if (!(before > 0)) return;
+    if (!(before > load.potentialRounding)) return;
     const double negligible = 1e-9 * before + 1e-12 * std::abs(load.potential);  // rounding
     brakeAlongLoad(motion, inertia, load, before);
     if (surplus() <= negligible) return;

@@ -11,6 +11,7 @@ struct Load {
     Vec3 force = Vec3::Zero();           ///< with gravity, N
     Vec3 torque = Vec3::Zero();          ///< about the centre of mass, world axes, N m
     double potential = 0;                ///< of force and torque, J
+    double potentialRounding = 0;        ///< what of it may be rounding of large parts that cancel, J
     double dragRate = 0;                 ///< at which the velocity decays to the medium's, 1/s
     double dampingRate = 0;              ///< at which the angular momentum decays, 1/s
     Vec3 mediumVelocity = Vec3::Zero();  ///< m/s

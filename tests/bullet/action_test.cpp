@@ -57,7 +57,7 @@ TEST(BuoyancyAction, SumsInTheSettingsPrecision) {
     BuoyancyAction inSingle(scene.water(), settings);
     scene.world().addAction(&inSingle);
     btRigidBody& box =
-        scene.addBody(std::make_unique<btBoxShape>(btVector3(0.5, 0.4, 0.3)), 240, at({0, 0, 0.1}));
+        scene.addBody(std::make_unique<btBoxShape>(toBullet(Vec3(0.5, 0.4, 0.3))), 240, at({0, 0, 0.1}));
     ASSERT_TRUE(inSingle.addBody(box));
     scene.run(10, dt);
     const BodyReport report = inSingle.report(box);
