@@ -44,7 +44,8 @@ public:
     BuoyancyAction& operator=(const BuoyancyAction&) = delete;
 
     /// Floats a dynamic body from the next substep on. Refused bodies are left as they were; the status says
-    /// why. A shape is read when the first of the bodies that share it is added.
+    /// why. A shape is read when the first of the bodies that share it is added; a body whose shape was
+    /// swapped must be removed before the shape that it was added with is deleted.
     BodyStatus addBody(btRigidBody& body, const BodyDef& def = {});
 
     /// Gives the body back with the angular damping and gyroscopic flags that it came with. False if not

@@ -33,7 +33,7 @@ std::vector<NamedHull> allHulls() {
     return hulls;
 }
 
-/// Calls `visit` with 10,000 cases: each hull in each sort of sea in turn, at tolerances of 1e-1 to 1e-5.
+/// Calls `visit` with `count` cases: each hull in each sort of sea in turn, at tolerances of 1e-1 to 1e-5.
 template <typename Visit>
 void visitCases(PressureModel pressure, int count, const Visit& visit) {
     const std::vector<NamedHull> hulls = allHulls();
