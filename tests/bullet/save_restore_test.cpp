@@ -42,8 +42,8 @@ bool isSame(const Bits& a, const Bits& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// A world without contacts, in which bodies of all sorts go through all that the action does: made and
-/// pushed alike each time.
+/// A world without contacts, in which bodies of all sorts, two of them joined, go through all that the action
+/// does: made and pushed alike each time.
 class Voyage {
 public:
     explicit Voyage(const WaterField& water, const BodyDef& def = {}) : m_buoyancy(water, rough()) {
@@ -51,10 +51,14 @@ public:
         makeShapes();
         for (int i = 0; i < 14; ++i)
             add(i, def);
+        m_joint = std::make_unique<btPoint2PointConstraint>(*m_bodies[12], *m_bodies[13], btVector3(1, 0, 0),
+                                                            btVector3(-1, 0, 0));
+        m_world.addConstraint(m_joint.get(), true);
         m_world.addAction(&m_buoyancy);
     }
     ~Voyage() {
         m_world.removeAction(&m_buoyancy);
+        m_world.removeConstraint(m_joint.get());
         for (const auto& body : m_bodies)
             m_world.removeRigidBody(body.get());
     }
@@ -114,7 +118,7 @@ private:
         btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, &shape, inertia);
         const double height = i == 6 ? 0 : i == 8 ? 500 : 2 * std::sin(i);
         info.m_startWorldTransform =
-            toTransform({{40.0 * i, 0, height},
+            toTransform({{i == 13 ? 482 : 40.0 * i, 0, height},
                          Eigen::Quaterniond(Eigen::AngleAxisd(i == 6 ? 0 : std::sin(3 * i), Vec3::UnitX()))});
         m_bodies.push_back(std::make_unique<btRigidBody>(info));
         btRigidBody& body = *m_bodies.back();
@@ -148,6 +152,7 @@ private:
     BuoyancyAction m_buoyancy;
     std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
     std::vector<std::unique_ptr<btRigidBody>> m_bodies;
+    std::unique_ptr<btTypedConstraint> m_joint;
     std::array<int, 16> m_met{};
 };
 
