@@ -11,7 +11,7 @@ namespace {
 
 /// To be raised whenever what is saved, or its order, changes.
 constexpr std::uint64_t version = 1;
-constexpr std::uint64_t mark = 0x6574617453796f75;  // "uoyState"
+constexpr std::uint64_t mark = 0x74617453796f7542;  // "BuoyStat"
 
 constexpr std::size_t none = std::size_t(-1);
 
@@ -39,6 +39,8 @@ struct Head {
         return std::tie(itsMark, itsVersion, precision, wordsOfBody, bodies, pressure, sums, tolerance, time);
     }
 };
+
+static_assert(std::tuple_size_v<decltype(std::declval<Head&>().members())> == headWords);
 
 /// Any word that is changed changes it.
 class CheckSum {
