@@ -83,6 +83,15 @@ public:
         return bits;
     }
 
+    /// Its bodies are met in another motion, and by the action for the first time.
+    void upset() {
+        m_buoyancy.removeAllBodies();
+        for (const auto& body : m_bodies) {
+            body->setLinearVelocity({3, 2, 1});
+            EXPECT_TRUE(m_buoyancy.addBody(*body));
+        }
+    }
+
     /// How often a body was seen in a state.
     int met(BodyState state) const { return m_met[std::size_t(state)]; }
 
@@ -230,6 +239,7 @@ TEST(TheThousandStepsAfterRestore, AreTheSameInTrochoidsByUnevenSteps) {
 TEST(SaveAndRestore, AnyMomentMayBeSaved) {
     const FlatWater water(WaterFrame::zUp());
     Voyage voyage(water), again(water);
+    again.upset();
     constexpr int ahead = 5;
     for (int start = 0; start < 600; start += ahead) {
         ActionState saved;
@@ -266,6 +276,19 @@ TEST(SaveAndRestore, ForcesThatWaitForTheNextStepAreRestored) {
     EXPECT_EQ(again.body(0).getTotalForce(), voyage.body(0).getTotalForce());
     EXPECT_EQ(again.body(7).getTotalTorque(), voyage.body(7).getTotalTorque());
     EXPECT_TRUE(isSame(again.run(0, 60, single), voyage.run(0, 60, single)));
+}
+
+TEST(SaveAndRestore, ABodyIsGivenBackAsTheSavedOneCame) {
+    const FlatWater water(WaterFrame::zUp());
+    Voyage voyage(water), again(water);
+    voyage.body(0).setFlags(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+    voyage.body(0).setDamping(btScalar(0.2), btScalar(0.4));
+    voyage.run(0, 10, single);
+    ASSERT_TRUE(again.buoyancy().restore(voyage.buoyancy().save()));
+    ASSERT_TRUE(again.buoyancy().removeBody(again.body(0)));
+    EXPECT_EQ(again.body(0).getFlags(), BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+    EXPECT_EQ(again.body(0).getLinearDamping(), btScalar(0.2));
+    EXPECT_EQ(again.body(0).getAngularDamping(), btScalar(0.4));
 }
 
 /// Contacts are not saved: worlds made anew go on alike all the same.
