@@ -6,6 +6,7 @@
 
 #include "bullet_buoyancy/bullet/buoyancy_action.h"
 #include "bullet_buoyancy/bullet/hull_from_shape.h"
+#include "bullet_buoyancy/bullet/rigid_body_state.h"
 #include "bullet_buoyancy/hydrostatics/evaluate.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_batch.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_clustered.h"

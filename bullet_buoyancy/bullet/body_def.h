@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "bullet_buoyancy/hull/hull.h"
@@ -20,6 +21,10 @@ struct BodyDef {
     bool scaleByWetFraction = true;
 
     StepScheme scheme = StepScheme::guarded;
+
+    /// By which a saved state knows the body, unlike any other's of the action. Bodies of id 0 are known by
+    /// the order in which they were added.
+    std::uint64_t id = 0;
 };
 
 }  // namespace bullet_buoyancy

@@ -54,7 +54,7 @@ struct BodyReport {
     int waterSamples = 0;        ///< points at which they asked the water for its surface or head, in all
     bool spinIsLimited = false;  ///< it spins past pi/4 a substep: Bullet cannot follow, and it turns less
     bool shapeHasChanged =
-        false;  ///< swapped or scaled since its hull was read: remove the body and add it anew
+        false;  ///< swapped or scaled since its hull was read: see `BuoyancyAction::updateHull`
 
     double totalEnergy() const { return kineticEnergy + gravitationalEnergy + waterPotentialEnergy; }
 };

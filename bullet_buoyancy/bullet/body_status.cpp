@@ -8,6 +8,10 @@ std::string BodyStatus::describe() const {
             break;
         case BodyError::alreadyAdded:
             return "the body has been added before";
+        case BodyError::notAdded:
+            return "the body has not been added";
+        case BodyError::idTaken:
+            return "another body has the same id";
         case BodyError::staticBody:
             return "the body is static (mass 0): it cannot float";
         case BodyError::kinematicBody:

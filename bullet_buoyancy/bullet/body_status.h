@@ -9,6 +9,8 @@ namespace bullet_buoyancy {
 enum class BodyError {
     none,
     alreadyAdded,
+    notAdded,       ///< the action does not know the body
+    idTaken,        ///< another body of the action has the id
     staticBody,     ///< zero mass: nothing to float
     kinematicBody,  ///< moved by the user, not by forces
     noShape,        ///< no collision shape, and no hull given
@@ -17,7 +19,7 @@ enum class BodyError {
     badHull,        ///< `BodyStatus::hull` says why
 };
 
-/// Whether a body floats from now on, and if not, why. A refused body is left as it was.
+/// Whether a body floats from now on as was asked for, and if not, why. A refused body is left as it was.
 struct BodyStatus {
     BodyError error = BodyError::none;
     HullStatus hull;      ///< refusal or remarks; empty for a hull given by the user

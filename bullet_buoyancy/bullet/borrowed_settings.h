@@ -19,6 +19,8 @@ public:
     double linearDampingRate() const { return m_linearDampingRate; }
 
 private:
+    friend struct StateMembers;
+
     double m_linearDamping = 0, m_angularDamping = 0;  // Bullet's: share lost in a second
     double m_linearDampingRate = 0;
     int m_gyroscopicFlags = 0;

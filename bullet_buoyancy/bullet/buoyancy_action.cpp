@@ -78,22 +78,52 @@ BuoyancyAction::BuoyancyAction(const WaterField& water, const BuoyancySettings& 
 
 BodyStatus BuoyancyAction::addBody(btRigidBody& body, const BodyDef& def) {
     BodyStatus status = FloatingBody::check(body, def);
-    if (m_index.count(&body)) status.error = BodyError::alreadyAdded;
+    if (m_index.count(&body))
+        status.error = BodyError::alreadyAdded;
+    else if (status.ok() && isTaken(def.id))
+        status.error = BodyError::idTaken;
     if (!status.ok()) return status;
 
     BodyDef complete = def;
-    if (!complete.hull) {
-        HullResult result = m_hulls.of(*body.getCollisionShape());
-        status.hull = result.status;
-        if (!result.hull) {
-            status.error = BodyError::badHull;
-            return status;
-        }
-        complete.hull = std::move(result.hull);
-    }
+    if (!complete.hull) complete.hull = shapesHull(body, nullptr, status);
+    if (!status.ok()) return status;
     m_index[&body] = m_bodies.size();
     m_bodies.emplace_back(body, complete);
     return status;
+}
+
+BodyStatus BuoyancyAction::updateHull(btRigidBody& body, std::shared_ptr<const Hull> hull) {
+    FloatingBody* floating = find(body);
+    BodyStatus status = FloatingBody::checkHull(body, hull.get());
+    if (!floating) status.error = BodyError::notAdded;
+    if (!status.ok()) return status;
+
+    const bool isGiven = hull != nullptr;
+    if (!isGiven) hull = shapesHull(body, &floating->hull(), status);
+    if (!status.ok()) return status;
+    if (isGiven || body.getCollisionShape() != floating->knownShape())
+        m_hulls.forget(body, floating->knownShape());
+    floating->changeHull(std::move(hull));
+    return status;
+}
+
+/// Null, with the error, where it is refused.
+std::shared_ptr<const Hull> BuoyancyAction::shapesHull(const btRigidBody& body, const Hull* outdated,
+                                                       BodyStatus& status) {
+    HullResult result = m_hulls.of(body, outdated);
+    status.hull = result.status;
+    if (!result.hull) status.error = BodyError::badHull;
+    return std::move(result.hull);
+}
+
+FloatingBody* BuoyancyAction::find(const btRigidBody& body) {
+    const auto entry = m_index.find(&body);
+    return entry == m_index.end() ? nullptr : &m_bodies[entry->second];
+}
+
+bool BuoyancyAction::isTaken(std::uint64_t id) const {
+    return id != 0 && std::any_of(m_bodies.begin(), m_bodies.end(),
+                                  [id](const FloatingBody& floating) { return floating.id() == id; });
 }
 
 bool BuoyancyAction::removeBody(btRigidBody& body) {
@@ -101,6 +131,7 @@ bool BuoyancyAction::removeBody(btRigidBody& body) {
     if (entry == m_index.end()) return false;
     const std::size_t position = entry->second;
     m_bodies[position].giveBack();
+    m_hulls.forget(body, m_bodies[position].knownShape());
     m_bodies.erase(m_bodies.begin() + std::ptrdiff_t(position));
     m_index.erase(entry);
     for (auto& [other, index] : m_index)
@@ -113,6 +144,7 @@ void BuoyancyAction::removeAllBodies() {
         floating.giveBack();
     m_bodies.clear();
     m_index.clear();
+    m_hulls.forgetAll();
 }
 
 BodyReport BuoyancyAction::report(const btRigidBody& body) const {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "bullet_buoyancy/bullet/action_state.h"
 #include "bullet_buoyancy/bullet/body_def.h"
 #include "bullet_buoyancy/bullet/body_report.h"
 #include "bullet_buoyancy/bullet/body_status.h"
@@ -34,6 +35,9 @@ namespace bullet_buoyancy {
 /// action gives nothing back, since the bodies may be gone by then: call `removeAllBodies` where it matters.
 /// One world an action, and one action a body.
 ///
+/// Bodies may be added, removed and given other hulls between steps, and from Bullet's tick callbacks and
+/// other actions, but not by a water's functions in the step.
+///
 /// Where a task scheduler was given to Bullet (`btSetTaskScheduler`) many bodies are stepped in parallel,
 /// with the same results for any number of threads. A step allocates nothing.
 class BuoyancyAction : public btActionInterface {
@@ -44,9 +48,15 @@ public:
     BuoyancyAction& operator=(const BuoyancyAction&) = delete;
 
     /// Floats a dynamic body from the next substep on. Refused bodies are left as they were; the status says
-    /// why. A shape is read when the first of the bodies that share it is added; a body whose shape was
-    /// swapped must be removed before the shape that it was added with is deleted.
+    /// why. A shape is read when the first of the bodies that share it is added.
     BodyStatus addBody(btRigidBody& body, const BodyDef& def = {});
+
+    /// After the body's collision shape was swapped, scaled or changed inside (a compound's children): wets
+    /// the shape that it has now, or the given hull, from the next substep on. The body keeps its velocity
+    /// and angular momentum, and the ledger takes the change of potential for the work of others (in water
+    /// that moves for the water's). Mass and inertia are yours to change. Where it is refused, the status
+    /// says why, and the body keeps its hull; its former shape may be deleted all the same.
+    BodyStatus updateHull(btRigidBody& body, std::shared_ptr<const Hull> hull = nullptr);
 
     /// Gives the body back with the angular damping and gyroscopic flags that it came with. False if not
     /// known.
@@ -67,6 +77,23 @@ public:
     /// Lets the water jump to another time (s, finite: asserted).
     void setTime(double time);
 
+    /// For rollback and replays: all of the action that steps change, the settings of its bodies, and what
+    /// steps of Bullet change of them (see RigidBodyState). Allocates nothing if `state` has had as many
+    /// bodies before.
+    ///
+    /// Not saved is what is yours: the water (but `time` is, all that its own fields need), the world's
+    /// gravity and contacts, joints, bodies that do not float, and the remainder of time that Bullet's world
+    /// carries to its next call (none if its steps are whole multiples of the fixed step, or with maxSubSteps
+    /// 0).
+    void save(ActionState& state) const;
+    ActionState save() const;
+
+    /// After it, the steps give to the last bit what they gave after `save`, but for what is not saved. The
+    /// bodies must have been added with equal hulls, masses, inertia and factors; each is known by its
+    /// `BodyDef::id`, or without one by the order of adding. They may be other objects, in another process.
+    /// Where it is refused, the status says why and nothing has changed. Allocates nothing.
+    RestoreStatus restore(const ActionState& state);
+
     /// Called by Bullet in each substep; bodies are not touched unless dt (s) is above zero and finite.
     void updateAction(btCollisionWorld* world, btScalar dt) override;
 
@@ -75,6 +102,10 @@ public:
     void debugDraw(btIDebugDraw* drawer) override;
 
 private:
+    FloatingBody* find(const btRigidBody& body);
+    std::shared_ptr<const Hull> shapesHull(const btRigidBody& body, const Hull* outdated, BodyStatus& status);
+    bool isTaken(std::uint64_t id) const;
+
     const WaterField* m_water;
     BuoyancySettings m_settings;
     double m_time = 0;

@@ -64,6 +64,18 @@ bool isRate(double rate) {
 
 }  // namespace
 
+BodyStatus FloatingBody::checkHull(const btRigidBody& body, const Hull* hull) {
+    BodyStatus status;
+    status.canTurn = hasInertia(body);
+    if (!hull && !body.getCollisionShape()) {
+        status.error = BodyError::noShape;
+    } else if (hull && !(hull->moments.volume > 0)) {
+        status.error = BodyError::badHull;
+        status.hull.error = HullError::noVolume;
+    }
+    return status;
+}
+
 BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
     BodyStatus status;
     status.canTurn = hasInertia(body);
@@ -75,21 +87,13 @@ BodyStatus FloatingBody::check(const btRigidBody& body, const BodyDef& def) {
         status.error = BodyError::kinematicBody;
     else if (!isRate(def.linearDrag) || !isRate(def.angularDamping))
         status.error = BodyError::badSettings;
-    else if (!def.hull && !body.getCollisionShape())
-        status.error = BodyError::noShape;
-    else if (def.hull && !(def.hull->moments.volume > 0)) {
-        status.error = BodyError::badHull;
-        status.hull.error = HullError::noVolume;
-    }
+    else
+        return checkHull(body, def.hull.get());
     return status;
 }
 
-FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
-    : m_body(&body),
-      m_def(def),
-      m_size(hull().bounds.centre.norm() + hull().bounds.radius),
-      m_knownShape(body.getCollisionShape()),
-      m_knownScaling(m_knownShape ? m_knownShape->getLocalScaling() : btVector3(1, 1, 1)) {
+FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def) : m_body(&body), m_def(def) {
+    lookAtHull();
     m_borrowed.borrow(body);
     m_lastSeenVelocity = toEigen(body.getLinearVelocity());
     massHasChanged();
@@ -99,6 +103,21 @@ FloatingBody::FloatingBody(btRigidBody& body, const BodyDef& def)
 void FloatingBody::giveBack() {
     m_borrowed.giveBack(*m_body);
     m_body->activate();
+}
+
+void FloatingBody::changeHull(std::shared_ptr<const Hull> hull) {
+    m_def.hull = std::move(hull);
+    lookAtHull();
+    findFlexibility();
+    m_motion.meetOtherLoad();
+    m_body->activate();
+}
+
+/// Notes what follows from it, and whose it is.
+void FloatingBody::lookAtHull() {
+    m_size = hull().bounds.centre.norm() + hull().bounds.radius;
+    m_knownShape = m_body->getCollisionShape();
+    m_knownScaling = m_knownShape ? m_knownShape->getLocalScaling() : btVector3(1, 1, 1);
 }
 
 void FloatingBody::skip(BodyState reason) {
@@ -163,12 +182,15 @@ bool FloatingBody::massHasChanged() {
                          now.turnsFreely != m_inertia.turnsFreely;
     m_inverseMass = inverseMass;
     m_inertia = now;
-    if (changed) {
-        const StiffnessBound bound = stiffnessBound(hull(), 1);
-        m_flexibility =
-            std::max(bound.heave / now.mass, bound.perAxisTurn.cwiseProduct(now.inversePrincipal).maxCoeff());
-    }
+    if (changed) findFlexibility();
     return changed;
+}
+
+/// From the hull and the inertia.
+void FloatingBody::findFlexibility() {
+    const StiffnessBound bound = stiffnessBound(hull(), 1);
+    m_flexibility = std::max(bound.heave / m_inertia.mass,
+                             bound.perAxisTurn.cwiseProduct(m_inertia.inversePrincipal).maxCoeff());
 }
 
 bool FloatingBody::shapeHasChanged() const {

@@ -18,6 +18,9 @@ public:
     /// Checks body and settings; changes nothing.
     static BodyStatus check(const btRigidBody& body, const BodyDef& def);
 
+    /// A hull given by the user, or if null whether the body has a shape to read one from.
+    static BodyStatus checkHull(const btRigidBody& body, const Hull* hull);
+
     /// Takes the body's damping and rotation over from Bullet, and wakes it. `def` must have a hull and have
     /// passed `check`.
     FloatingBody(btRigidBody& body, const BodyDef& def);
@@ -34,18 +37,31 @@ public:
     /// The next step does not end in the water that the body was shown when it began.
     void forgetWaterAhead() { m_motion.forgetLoadAhead(); }
 
+    /// The body goes on as it moves, with another hull (not null), and is woken. The shape that it has now is
+    /// the one to be told from others.
+    void changeHull(std::shared_ptr<const Hull> hull);
+
+    btRigidBody& body() { return *m_body; }
     const btRigidBody& body() const { return *m_body; }
     const Hull& hull() const { return *m_def.hull; }
     BodyState state() const { return m_state; }
+    std::uint64_t id() const { return m_def.id; }
+
+    /// The body's shape when its hull was last changed; it may be gone.
+    const btCollisionShape* knownShape() const { return m_knownShape; }
 
     /// Made from what the last substep left. `frame`: the water's.
     BodyReport report(const WaterFrame& frame) const;
 
 private:
+    friend struct StateMembers;
+
     bool staysAsleep(const WaterNow& water, bool reweighed);
     bool isStirred(const WaterNow& water) const;
     bool isInertiaKnown() const;
     bool massHasChanged();
+    void lookAtHull();
+    void findFlexibility();
     bool shapeHasChanged() const;
     bool gravityActed() const;
     void arrive(const StepperDef& stepper, const WaterLoad& now, bool reweighed, double dt);
@@ -62,7 +78,7 @@ private:
     bool m_isPressed = false;  // there was gravity in the water in the last step
     bool m_wokenWithoutGravity = false;
     int m_waterSamples = 0;
-    double m_size;             // largest distance of a wetted point from the centre of mass, m
+    double m_size = 0;         // largest distance of a wetted point from the centre of mass, m
     double m_flexibility = 0;  // square of the fastest oscillation over the water's weight density, m^2/kg
     double m_inverseMass = 0;  // Bullet's
     Inertia m_inertia;
@@ -71,8 +87,8 @@ private:
     Handover m_handover;
     BodyMotion m_motion;
     Vec3 m_lastSeenVelocity;  // while it was not stepped
-    const btCollisionShape* m_knownShape;
-    btVector3 m_knownScaling;
+    const btCollisionShape* m_knownShape = nullptr;
+    btVector3 m_knownScaling{1, 1, 1};
 };
 
 }  // namespace bullet_buoyancy

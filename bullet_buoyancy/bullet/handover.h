@@ -36,6 +36,8 @@ public:
     const Disturbance& disturbance() const { return m_disturbance; }
 
 private:
+    friend struct StateMembers;
+
     Vec3 velocityChange(const btRigidBody& body, double dt, bool gravityActed) const;
     double positionTolerance(const btRigidBody& body) const;
     bool isAt(const Pose& target, const btRigidBody& body) const;

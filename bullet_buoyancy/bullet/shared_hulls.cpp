@@ -1,24 +1,48 @@
 #include "bullet_buoyancy/bullet/shared_hulls.h"
 
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
+#include <algorithm>
+
 #include "bullet_buoyancy/bullet/hull_from_shape.h"
 
 namespace bullet_buoyancy {
 
-HullResult SharedHulls::of(const btCollisionShape& shape) {
-    const auto known = m_known.find(&shape);
-    if (known != m_known.end() && known->second.scaling == shape.getLocalScaling())
-        if (auto hull = known->second.hull.lock()) return {std::move(hull), known->second.status};
+namespace {
+
+using Bodies = std::vector<const btRigidBody*>;
+
+/// Those found to have another shape are dropped.
+bool anyHas(const btCollisionShape& shape, Bodies& witnesses) {
+    while (!witnesses.empty() && witnesses.back()->getCollisionShape() != &shape)
+        witnesses.pop_back();
+    return !witnesses.empty();
+}
+
+}  // namespace
+
+HullResult SharedHulls::of(const btRigidBody& body, const Hull* outdated) {
+    const btCollisionShape& shape = *body.getCollisionShape();
+    const auto entry = m_known.find(&shape);
+    if (entry != m_known.end()) {
+        Known& known = entry->second;
+        if (known.hull.get() != outdated && known.scaling == shape.getLocalScaling() &&
+            anyHas(shape, known.witnesses)) {
+            known.witnesses.push_back(&body);
+            return {known.hull, known.status};
+        }
+    }
     HullResult result = hullFromShape(shape);
-    if (!result.hull) return result;
-    if (m_known.size() >= m_nextLook) forgetWhatIsGone();
-    m_known[&shape] = {result.hull, result.status, shape.getLocalScaling()};
+    if (result.hull) m_known[&shape] = {result.hull, result.status, shape.getLocalScaling(), {&body}};
     return result;
 }
 
-void SharedHulls::forgetWhatIsGone() {
-    for (auto known = m_known.begin(); known != m_known.end();)
-        known = known->second.hull.expired() ? m_known.erase(known) : std::next(known);
-    m_nextLook = 2 * m_known.size() + 16;
+void SharedHulls::forget(const btRigidBody& body, const btCollisionShape* shape) {
+    const auto entry = m_known.find(shape);
+    if (entry == m_known.end()) return;
+    Bodies& witnesses = entry->second.witnesses;
+    witnesses.erase(std::remove(witnesses.begin(), witnesses.end(), &body), witnesses.end());
+    if (witnesses.empty()) m_known.erase(entry);
 }
 
 }  // namespace bullet_buoyancy

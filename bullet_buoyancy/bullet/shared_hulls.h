@@ -1,31 +1,38 @@
 #pragma once
 
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <unordered_map>
+#include <vector>
 
 #include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/hull/hull.h"
 
 namespace bullet_buoyancy {
 
-/// Hulls of collision shapes, each read once for all bodies that have the shape, for as long as one of them
-/// is there. A shape with another local scaling is read again.
+/// Hulls of collision shapes, each read once for all bodies that have the shape. A shape is known by its
+/// address, so that a hull is shared only as long as a body that was given it still has the shape: without
+/// such a witness another shape may lie there by now. A shape with another local scaling is read again.
 class SharedHulls {
 public:
-    /// As `hullFromShape`.
-    HullResult of(const btCollisionShape& shape);
+    /// Of the body's collision shape (not null), as `hullFromShape`. The body must be forgotten before it is
+    /// deleted. `outdated`: a hull that is no longer the shape's, whose inside has changed; may be null.
+    HullResult of(const btRigidBody& body, const Hull* outdated = nullptr);
+
+    /// `shape`: the body's when its hull was asked for; only its address is used.
+    void forget(const btRigidBody& body, const btCollisionShape* shape);
+
+    void forgetAll() { m_known.clear(); }
 
 private:
     struct Known {
-        std::weak_ptr<const Hull> hull;
+        std::shared_ptr<const Hull> hull;
         HullStatus status;
         btVector3 scaling;
+        std::vector<const btRigidBody*> witnesses;
     };
-    void forgetWhatIsGone();
 
     std::unordered_map<const btCollisionShape*, Known> m_known;
-    std::size_t m_nextLook = 16;  // entries at which to look for those that are gone
 };
 
 }  // namespace bullet_buoyancy

@@ -59,6 +59,13 @@ public:
     /// The field at the end of the step is not the one that was shown when it began.
     void forgetLoadAhead() { m_knowsLoadAhead = false; }
 
+    /// From the end of the step on, another load acts on the body: others have changed what it is. Its motion
+    /// goes on; the change of its potential is their work.
+    void meetOtherLoad() {
+        forgetLoadAhead();
+        m_disturbed = true;
+    }
+
     /// Ends the step: after it, `motion` is that at the pose, and `load` what acts there. `now`: the field at
     /// this moment.
     void settle(const Inertia& inertia, const StepperDef& def, const LoadField& now, double dt);
@@ -81,6 +88,8 @@ public:
     int evaluations() const { return m_evaluations; }
 
 private:
+    friend struct StateMembers;  // saves and restores them
+
     /// After the kick that ends a flight, with the most energy that the body may have then, J.
     struct FlightEnd {
         Motion motion;

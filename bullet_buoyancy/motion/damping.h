@@ -82,6 +82,8 @@ public:
     }
 
 private:
+    friend struct StateMembers;
+
     double m_last = 0, m_beforeLast = 0;
 };
 

@@ -145,5 +145,26 @@ TEST_F(AStep, AllocatesNothingInWaves) {
     EXPECT_EQ(allocationsInSteps(*scenes::gerstnerSea("sea", def).water), 0);
 }
 
+/// As in a game that goes back and forth.
+TEST_F(AStep, IsSavedAndRestoredWithoutAllocations) {
+    const FlatWater water(WaterFrame::zUp());
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+    MixedFleet fleet(world, water, 20);
+    ActionState state;
+    fleet.buoyancy().save(state);
+    fleet.step();
+    allocations = 0;
+    isCounting = true;
+    fleet.buoyancy().save(state);
+    const RestoreStatus status = fleet.buoyancy().restore(state);
+    isCounting = false;
+    EXPECT_TRUE(status);
+    EXPECT_EQ(allocations, 0);
+}
+
 }  // namespace
 }  // namespace bullet_buoyancy::test
