@@ -29,7 +29,7 @@ function(buoyancy_library_settings target)
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
         $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
     set_target_properties(${target} PROPERTIES
-        OUTPUT_NAME ${target}$<$<BOOL:${BULLET_BUOYANCY_DOUBLE_PRECISION}>:-float64>
+        OUTPUT_NAME ${target}${BUOYANCY_SUFFIX}
         POSITION_INDEPENDENT_CODE ON
         WINDOWS_EXPORT_ALL_SYMBOLS ON
         INSTALL_RPATH $<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>
