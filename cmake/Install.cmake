@@ -14,8 +14,8 @@ install(TARGETS bullet_buoyancy_core bullet_buoyancy
     INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(EXPORT bullet_buoyancy
     NAMESPACE bullet_buoyancy::
-    FILE bullet_buoyancyTargets.cmake
-    DESTINATION "${package_dir}/${BUOYANCY_PRECISION}-${PROJECT_VERSION}")
+    FILE bullet_buoyancy-${PROJECT_VERSION}-${BUOYANCY_PRECISION}Targets.cmake
+    DESTINATION "${package_dir}")
 
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/bullet_buoyancy" "${PROJECT_BINARY_DIR}/include/bullet_buoyancy"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
