@@ -43,7 +43,7 @@ foreach(library IN ITEMS BulletDynamics BulletCollision LinearMath)
         HINTS ${BulletPhysics_${BulletPhysics_precision}_PC_LIBRARY_DIRS}
         PATH_SUFFIXES bullet/${BulletPhysics_precision})
     mark_as_advanced(${variable})
-    list(APPEND BulletPhysics_library_variables ${variable})
+    list(APPEND BulletPhysics_library_variables ${variable} ${variable}_DEBUG)
 
     # MSVC links no release library into a debug program. Bullet names its debug libraries so.
     find_library(${variable}_DEBUG NAMES ${library}${BulletPhysics_suffix}_Debug ${library}_Debug NAMES_PER_DIR
