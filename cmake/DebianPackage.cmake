@@ -22,7 +22,7 @@ string(CONCAT CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Adds one action to a world of Bullet Physics, and crates, hulls, barrels and spars float as they do in nature, "
     "in flat water and in waves.\n"
     "\n"
-    "Has headers, static libraries for Bullet in the precisions it was built for, and files for CMake and pkg-config.")
+    "Has headers, libraries for Bullet in the precisions they were built for, and files for CMake and pkg-config.")
 
 # Debian looks for the licence under this name; nobody else does.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
