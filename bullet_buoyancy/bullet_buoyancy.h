@@ -3,6 +3,7 @@
 /// All that a user of Bullet includes.
 
 #include "bullet_buoyancy/bullet/precision.h"
+#include "bullet_buoyancy/version.h"
 
 #include "bullet_buoyancy/bullet/buoyancy_action.h"
 #include "bullet_buoyancy/bullet/hull_from_shape.h"

@@ -2,7 +2,8 @@
 # nothing reaches the code of those who link it.
 function(buoyancy_compile_settings target)
     if(MSVC)
-        target_compile_options(${target} PRIVATE /W4)
+        target_compile_options(${target} PRIVATE /W4 /bigobj)
+        target_compile_definitions(${target} PRIVATE _CRT_SECURE_NO_WARNINGS)
     else()
         target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
     endif()
@@ -23,13 +24,14 @@ function(buoyancy_library_settings target)
     buoyancy_compile_settings(${target})
     target_compile_features(${target} PUBLIC cxx_std_17)
     # Fused multiply-adds round differently, and whether a compiler forms them depends on the machine.
+    # (MSVC's own compiler is told in core/lanes.h.)
     target_compile_options(${target} PRIVATE
-        $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+        $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:$<$<BOOL:${MSVC}>:/clang:>-ffp-contract=off>)
     target_include_directories(${target} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
         $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
     set_target_properties(${target} PROPERTIES
-        OUTPUT_NAME ${target}$<$<BOOL:${BULLET_BUOYANCY_DOUBLE_PRECISION}>:-float64>
+        OUTPUT_NAME ${target}${BUOYANCY_SUFFIX}
         POSITION_INDEPENDENT_CODE ON
         WINDOWS_EXPORT_ALL_SYMBOLS ON
         INSTALL_RPATH $<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>

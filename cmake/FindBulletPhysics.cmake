@@ -2,7 +2,8 @@
 #
 #   find_package(BulletPhysics REQUIRED COMPONENTS float)   # or double
 #
-# Defines the imported target bullet_buoyancy::bullet_physics. Neither CMake's FindBullet nor Bullet's own
+# Defines the imported target bullet_buoyancy::bullet_physics, and BulletPhysics_PC_MODULE: the pkg-config module
+# of that Bullet, if it has one. Neither CMake's FindBullet nor Bullet's own
 # BulletConfig.cmake would do: float and double look the same to them.
 
 include(FindPackageHandleStandardArgs)
@@ -42,9 +43,31 @@ foreach(library IN ITEMS BulletDynamics BulletCollision LinearMath)
         HINTS ${BulletPhysics_${BulletPhysics_precision}_PC_LIBRARY_DIRS}
         PATH_SUFFIXES bullet/${BulletPhysics_precision})
     mark_as_advanced(${variable})
-    list(APPEND BulletPhysics_library_variables ${variable})
-    list(APPEND BulletPhysics_LIBRARIES "${${variable}}")
+    list(APPEND BulletPhysics_library_variables ${variable} ${variable}_DEBUG)
+
+    # MSVC links no release library into a debug program. Bullet names its debug libraries so.
+    find_library(${variable}_DEBUG NAMES ${library}${BulletPhysics_suffix}_Debug ${library}_Debug NAMES_PER_DIR
+        PATH_SUFFIXES bullet/${BulletPhysics_precision})
+    mark_as_advanced(${variable}_DEBUG)
+    if(${variable}_DEBUG)
+        if(NOT ${variable})
+            set(${variable} "${${variable}_DEBUG}")
+        endif()
+        list(APPEND BulletPhysics_LIBRARIES optimized "${${variable}}" debug "${${variable}_DEBUG}")
+    else()
+        list(APPEND BulletPhysics_LIBRARIES "${${variable}}")
+    endif()
 endforeach()
+
+set(BulletPhysics_PC_MODULE "")
+if(BulletPhysics_${BulletPhysics_precision}_PC_FOUND)
+    cmake_path(GET BulletPhysics_${BulletPhysics_precision}_BulletDynamics PARENT_PATH BulletPhysics_directory)
+    cmake_path(COMPARE "${BulletPhysics_directory}" EQUAL "${BulletPhysics_${BulletPhysics_precision}_PC_LIBDIR}"
+        BulletPhysics_is_of_module)
+    if(BulletPhysics_is_of_module)
+        set(BulletPhysics_PC_MODULE ${BulletPhysics_${BulletPhysics_precision}_PC_MODULE_NAME})
+    endif()
+endif()
 
 # Links a call whose mangled name spells btScalar.
 function(BulletPhysics_try_link result precision)
@@ -79,7 +102,7 @@ else()
         set(BulletPhysics_${BulletPhysics_precision}_LINKED "${BulletPhysics_LIBRARIES}" CACHE INTERNAL
             "The libraries known to link in ${BulletPhysics_precision} precision")
     else()
-        list(GET BulletPhysics_LIBRARIES 0 BulletPhysics_failure)
+        set(BulletPhysics_failure "${BulletPhysics_${BulletPhysics_precision}_BulletDynamics}")
         BulletPhysics_try_link(BulletPhysics_has_other_precision ${BulletPhysics_other_precision})
         if(BulletPhysics_has_other_precision)
             string(APPEND BulletPhysics_failure " is a Bullet in ${BulletPhysics_other_precision} precision.")

@@ -1,7 +1,10 @@
 # What the machine that runs the library may have beyond the machine that it is built for.
 set(buoyancy_instruction_sets portable)
+# CMAKE_SYSTEM_PROCESSOR is the host's where Xcode or Visual Studio build for another. On Windows g++ aligns the
+# stack for no more than 16 bytes, and vectors on it crash (GCC bug 54412).
 if(BULLET_BUOYANCY_SIMD AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_SIZEOF_VOID_P EQUAL 8
-        AND NOT CMAKE_OSX_ARCHITECTURES MATCHES "arm64")
+        AND NOT CMAKE_OSX_ARCHITECTURES MATCHES "arm64" AND NOT CMAKE_CXX_COMPILER_ARCHITECTURE_ID MATCHES "ARM"
+        AND NOT (MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
     list(APPEND buoyancy_instruction_sets avx2 avx512)
     if(MSVC)
         set(buoyancy_options_avx2 /arch:AVX2)

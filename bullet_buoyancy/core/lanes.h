@@ -9,6 +9,10 @@
 
 #include <cstdint>
 
+#if defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)  // fused multiply-adds round differently: see cmake/CompileSettings.cmake
+#endif
+
 namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL {
 
 // As many numbers as a register holds, and the outcome of comparing them: with arithmetic, comparisons,

@@ -7,6 +7,12 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string_view>
+
+#ifdef PACKAGE_VERSION  // what the package says of itself
+static_assert(std::string_view(BULLET_BUOYANCY_VERSION) == PACKAGE_VERSION);
+#endif
+static_assert(BULLET_BUOYANCY_VERSION_NUMBER >= 100, "0.1.0 or later");
 
 int main() {
     btDefaultCollisionConfiguration configuration;
