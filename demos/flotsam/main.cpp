@@ -146,6 +146,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     bullet_buoyancy::demo::Options options;
+    options.scene.buoyancy.tolerance = 1e-2;
     options.sea.spreading = 10;
     options.sea.components = 64;
     CLI::App app{

@@ -168,11 +168,12 @@ void writeSetting(std::ostream& out, const Camera& camera, double size) {
     writeLights(out, camera, size);
 }
 
+/// Without refraction, so that what is below the surface stands where it is.
 void writeWater(std::ostream& out, const Block& block, double depth) {
     writeMesh(out, block.mesh);
-    out << "texture{pigment{rgbf<0.86,0.96,0.97,0.93>}finish{ambient 0 diffuse 0.06 specular 0.5 roughness "
-           "0.004 reflection{0.02,0.5 fresnel on} conserve_energy}}interior{ior 1.33 fade_distance "
-        << 0.9 * depth << " fade_power 1001 fade_color<0.03,0.3,0.38>} no_shadow}\n";
+    out << "texture{pigment{rgbf<0.32,0.66,0.76,0.72>}finish{ambient 0 diffuse 0.22 specular 0.6 roughness "
+           "0.003 reflection{0.05,0.5 falloff 3}}}interior{ior 1 fade_distance "
+        << 2 * depth << " fade_power 1001 fade_color<0.1,0.5,0.6>} no_shadow}\n";
 }
 
 std::string sceneOf(const Film& film, std::size_t frame) {

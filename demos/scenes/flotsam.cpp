@@ -114,6 +114,17 @@ Flotsam drawKind(RandomNumbers& random) {
     return kind == 14 ? Flotsam::raft : Flotsam(kind % int(Flotsam::raft));
 }
 
+/// Those that are let go upright come first, and so lowest.
+std::vector<Flotsam> drawKinds(const FlotsamDef& def, RandomNumbers& random) {
+    std::vector<Flotsam> kinds;
+    if (def.withBoat) kinds.push_back(Flotsam::boat);
+    while (kinds.size() < std::size_t(def.bodies))
+        kinds.push_back(drawKind(random));
+    std::stable_partition(kinds.begin(), kinds.end(),
+                          [](Flotsam kind) { return kind == Flotsam::boat || kind == Flotsam::raft; });
+    return kinds;
+}
+
 FlotsamPiece build(Flotsam kind, Design design, double waterDensity) {
     btCollisionShape& shape = *design.shapes.front();
     const auto hull = design.hull ? design.hull : hullFromShape(shape).hull;
@@ -141,15 +152,15 @@ FlotsamScene::FlotsamScene(const FlotsamDef& def, const WaterField& water)
     RandomNumbers random(def.seed);
     const double reach = std::sqrt(def.bodies * def.area / pi);
     const Eigen::Quaterniond level(water.frame().worldFromFrame());
-    for (int i = 0; i < def.bodies; ++i) {
-        const Flotsam kind = i == 0 && def.withBoat ? Flotsam::boat : drawKind(random);
+    for (Flotsam kind : drawKinds(def, random)) {
         Design drawn = design(kind, random, water.density());
         const bool upright = drawn.upright;
         FlotsamPiece piece = build(kind, std::move(drawn), water.density());
         const Eigen::Quaterniond turn =
             upright ? Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-pi, pi), Vec3::UnitZ()))
                     : random.orientation();
-        const Vec3 place = freePlace(random, piece.hull->bounds.radius, i == 0 ? 0 : reach, def.lowest);
+        const Vec3 place =
+            freePlace(random, piece.hull->bounds.radius, m_pieces.empty() ? 0 : reach, def.lowest);
         piece.body->setWorldTransform(
             toTransform({water.frame().originWorld() + level * place, level * turn}));
         add(std::move(piece));

@@ -30,9 +30,9 @@ struct FlotsamPiece {
 struct FlotsamDef {
     int bodies = 60;
     std::uint64_t seed = 1;
-    double area = 7;       ///< of the sea, m^2 a body
-    double lowest = 1.5;   ///< of the pieces above still water at first, m
-    bool withBoat = true;  ///< the first piece is a boat; the others are of all other kinds
+    double area = 4;       ///< of the sea, m^2 a body
+    double lowest = 0.5;   ///< of the pieces' bounding spheres above still water at first, m
+    bool withBoat = true;  ///< the first piece is a boat in the middle; the others are of all other kinds
     BuoyancySettings buoyancy;
 };
 
