@@ -4,6 +4,22 @@
 
 namespace bullet_buoyancy::recording {
 
+namespace {
+
+/// The same sum with weights from 0 to 1.
+void normalizeWeights(WaterModes& modes) {
+    for (Eigen::Index i = 0; i < modes.weights.cols(); ++i) {
+        auto weights = modes.weights.col(i);
+        const float least = weights.minCoeff(), range = weights.maxCoeff() - least;
+        FilmedSurface& mode = modes.modes[std::size_t(i)];
+        modes.rest += least * mode;
+        mode *= range;
+        weights = ((weights - least) / range).cwiseMin(1.0F);
+    }
+}
+
+}  // namespace
+
 WaterModes findWaterModes(const std::vector<FilmedSurface>& surfaces, double tolerance) {
     const Eigen::Index nodes = surfaces.front().rows(), frames = Eigen::Index(surfaces.size());
     WaterModes result;
@@ -26,6 +42,7 @@ WaterModes findWaterModes(const std::vector<FilmedSurface>& surfaces, double tol
     result.weights.resize(frames, Eigen::Index(weights.size()));
     for (std::size_t i = 0; i < weights.size(); ++i)
         result.weights.col(Eigen::Index(i)) = weights[i];
+    normalizeWeights(result);
     return result;
 }
 

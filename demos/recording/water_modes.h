@@ -6,9 +6,9 @@ namespace bullet_buoyancy::recording {
 
 /// A moving surface as a sum: in frame f it is `rest` + sum of weights(f, i) `modes[i]`, slopes included.
 struct WaterModes {
-    FilmedSurface rest;  ///< the first frame
+    FilmedSurface rest;
     std::vector<FilmedSurface> modes;
-    Eigen::ArrayXXf weights;  ///< frames by modes
+    Eigen::ArrayXXf weights;  ///< frames by modes; 0 to 1, since not every player goes beyond
 };
 
 /// As few as it takes, greedily, for every elevation to be met within `tolerance` (m). A sea of n linear

@@ -239,7 +239,9 @@ void GltfWriter::addWaves(int material) {
         m_model.meshes[std::size_t(mesh)].primitives.front().targets.push_back(
             {{"POSITION", risesAccessor}, {"NORMAL", turnsAccessor}});
     }
-    m_model.meshes[std::size_t(mesh)].weights.assign(modes.modes.size(), 0);
+    // A player that does not play shows the first frame.
+    for (Eigen::Index i = 0; i < modes.weights.cols(); ++i)
+        m_model.meshes[std::size_t(mesh)].weights.push_back(double(modes.weights(0, i)));
     Numbers weights;
     for (Eigen::Index frame = 0; frame < modes.weights.rows(); ++frame)
         for (Eigen::Index i = 0; i < modes.weights.cols(); ++i)
