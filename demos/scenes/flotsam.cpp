@@ -159,8 +159,8 @@ FlotsamScene::FlotsamScene(const FlotsamDef& def, const WaterField& water)
         const Eigen::Quaterniond turn =
             upright ? Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-pi, pi), Vec3::UnitZ()))
                     : random.orientation();
-        const Vec3 place =
-            freePlace(random, piece.hull->bounds.radius, m_pieces.empty() ? 0 : reach, def.lowest);
+        const double radius = piece.hull->bounds.radius, height = def.lowest + (upright ? 0 : radius);
+        const Vec3 place = freePlace(random, radius, m_pieces.empty() ? 0 : reach, height);
         piece.body->setWorldTransform(
             toTransform({water.frame().originWorld() + level * place, level * turn}));
         add(std::move(piece));
@@ -174,9 +174,9 @@ FlotsamScene::~FlotsamScene() {
 }
 
 /// As low as no other piece is in the way, in the water's frame.
-Vec3 FlotsamScene::freePlace(RandomNumbers& random, double radius, double reach, double lowest) const {
+Vec3 FlotsamScene::freePlace(RandomNumbers& random, double radius, double reach, double height) const {
     const double angle = random.uniform(-pi, pi), distance = reach * std::sqrt(random.uniform(0, 1));
-    Vec3 place(distance * std::cos(angle), distance * std::sin(angle), lowest + radius);
+    Vec3 place(distance * std::cos(angle), distance * std::sin(angle), height);
     for (bool isFree = false; !isFree;) {
         isFree = true;
         for (const FlotsamPiece& piece : m_pieces) {

@@ -31,7 +31,7 @@ struct FlotsamDef {
     int bodies = 60;
     std::uint64_t seed = 1;
     double area = 4;       ///< of the sea, m^2 a body
-    double lowest = 0.5;   ///< of the pieces' bounding spheres above still water at first, m
+    double lowest = 0.5;   ///< of the pieces above still water at first, m
     bool withBoat = true;  ///< the first piece is a boat in the middle; the others are of all other kinds
     BuoyancySettings buoyancy;
 };
@@ -58,7 +58,7 @@ public:
 
 private:
     void add(FlotsamPiece piece);
-    Vec3 freePlace(RandomNumbers& random, double radius, double reach, double lowest) const;
+    Vec3 freePlace(RandomNumbers& random, double radius, double reach, double height) const;
 
     const WaterField& m_water;
     btDefaultCollisionConfiguration m_configuration;
