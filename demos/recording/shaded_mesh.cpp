@@ -11,11 +11,13 @@ namespace {
 
 constexpr int sphereLevels = 3, solidSegments = 48;
 
+/// Without the triangles of no size at the ends of a tessellated solid.
 void append(TriangleMesh& mesh, const TriangleMesh& part) {
     const auto first = std::uint32_t(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
     for (const Triangle& t : part.triangles)
-        mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+            mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
 /// A corner of a triangle, at one vertex of a mesh.

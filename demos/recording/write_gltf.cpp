@@ -224,16 +224,20 @@ void GltfWriter::addWaves(int material) {
     constexpr int nodes = Film::waterNodes * Film::waterNodes;
     ShadedMesh rest;
     rest.triangles = waterTriangles();
+    // Normals must be of unit length at rest, which leaves their sums the directions that they have.
+    std::vector<double> shares;
     for (int i = 0; i < nodes; ++i) {
         rest.vertices.push_back(waterVertex(m_film, modes.rest, i));
-        rest.normals.push_back(waterNormal(modes.rest, i));
+        const Vec3 normal = waterNormal(modes.rest, i);
+        shares.push_back(1 / normal.norm());
+        rest.normals.push_back(shares.back() * normal);
     }
     const int mesh = addMesh("water", rest, material);
     for (const FilmedSurface& mode : modes.modes) {
         Numbers rises, turns;
         for (int i = 0; i < nodes; ++i) {
             append(rises, double(mode(i, 0)) * Vec3::UnitY());
-            append(turns, waterNormal(mode, i) - Vec3::UnitY());
+            append(turns, shares[std::size_t(i)] * (waterNormal(mode, i) - Vec3::UnitY()));
         }
         const int risesAccessor = addVertices(rises), turnsAccessor = addVertices(turns);
         m_model.meshes[std::size_t(mesh)].primitives.front().targets.push_back(

@@ -22,6 +22,11 @@ bool isFinite(const aiVector3D& v) {
 
 /// Of a body: closed, turned outward, lit from all sides.
 void checkBody(const aiMesh& mesh, const std::string& name) {
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const unsigned* corners = mesh.mFaces[i].mIndices;
+        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+            return expect(false, name + " has no triangles of no size");
+    }
     expect(volumeOf(trianglesOf(mesh)) > 0, name + " encloses something");
     for (unsigned i = 0; i < mesh.mNumVertices; ++i)
         if (!isFinite(mesh.mVertices[i]) || std::abs(toVec3(mesh.mNormals[i]).norm() - 1) > 1e-5)
@@ -30,8 +35,9 @@ void checkBody(const aiMesh& mesh, const std::string& name) {
 
 void checkWater(const aiMesh& mesh) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i)
-        if (!isFinite(mesh.mVertices[i]) || !(mesh.mNormals[i].y > 0))
-            return expect(false, "the water is finite, its normals upward");
+        if (!isFinite(mesh.mVertices[i]) || !(mesh.mNormals[i].y > 0) ||
+            std::abs(toVec3(mesh.mNormals[i]).norm() - 1) > 1e-5)
+            return expect(false, "the water is finite, its normals upward and of unit length");
 }
 
 void checkMotion(const FilmFile& file, const aiNodeAnim& channel) {
