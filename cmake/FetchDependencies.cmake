@@ -1,5 +1,5 @@
 # Provides every dependency from source, under the same names as its package would. Each download can be
-# replaced by a local tree with FETCHCONTENT_SOURCE_DIR_<BULLET|EIGEN3|GTEST|CLI11>.
+# replaced by a local tree with FETCHCONTENT_SOURCE_DIR_<BULLET|EIGEN3|GTEST|CLI11|TINYGLTF>.
 
 include(FetchContent)
 
@@ -29,6 +29,12 @@ FetchContent_Declare(CLI11
     OVERRIDE_FIND_PACKAGE
     SYSTEM)
 
+FetchContent_Declare(TinyGLTF
+    GIT_REPOSITORY https://github.com/syoyo/tinygltf.git
+    GIT_TAG fda7422022ff058b1b7b501d373a97b1cc377bfd  # 2.9.3
+    OVERRIDE_FIND_PACKAGE
+    SYSTEM)
+
 # The dependencies ask for a CMake so old that, left alone, their options would ignore the variables set here,
 # MSVC would give them another runtime library than ours, and a recent CMake would refuse Bullet altogether.
 set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)
@@ -38,6 +44,8 @@ set(CMAKE_POLICY_VERSION_MINIMUM 3.5)
 set(BUILD_GMOCK OFF)
 set(INSTALL_GTEST OFF)
 set(CLI11_INSTALL OFF)
+set(TINYGLTF_BUILD_LOADER_EXAMPLE OFF)
+set(TINYGLTF_INSTALL OFF)
 
 set(USE_DOUBLE_PRECISION ${BULLET_BUOYANCY_DOUBLE_PRECISION})
 set(USE_GRAPHICAL_BENCHMARK OFF)

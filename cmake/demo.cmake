@@ -9,7 +9,7 @@ cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake")
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH source_dir)
 
-buoyancy_provide_dependencies(gnuplot-nox libassimp-dev)
+buoyancy_provide_dependencies(gnuplot-nox libassimp-dev libtinygltf-dev povray)
 
 cmake_host_system_information(RESULT jobs QUERY NUMBER_OF_LOGICAL_CORES)
 

@@ -100,7 +100,8 @@ function(buoyancy_explain_dependencies)
   macOS            brew install ninja bullet eigen googletest cli11
   vcpkg            vcpkg install bullet3 eigen3 gtest cli11   (double precision: bullet3[double-precision])
 
-The demos draw by gnuplot, and read hulls from files by assimp (Debian: gnuplot-nox, libassimp-dev), where there are.
+The demos draw by gnuplot and POV-Ray, write films by TinyGLTF and read hulls from files by assimp, where there are
+(Debian: gnuplot-nox, povray, libtinygltf-dev, libassimp-dev).
 
 Where a Bullet of the wanted precision is not packaged, -DFETCH=ON builds all libraries from source.
 ")

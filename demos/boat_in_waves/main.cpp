@@ -6,6 +6,7 @@
 #include "boat_in_waves/read_mesh.h"
 #include "boat_in_waves/responses.h"
 #include "boat_in_waves/summary.h"
+#include "recording/world_film.h"
 
 namespace bullet_buoyancy::demo {
 namespace {
@@ -70,7 +71,15 @@ int run(const Options& options) {
     }
     printSetting(options, boat, sea);
 
-    const Voyage voyage = sail(boat, sea, options.voyage);
+    const auto cast = [&](const btRigidBody&) {
+        return recording::Cast{"boat", recording::Look::red, boat.hull};
+    };
+    recording::WorldFilm film(options.film.film, cast);
+    const Voyage voyage = sail(boat, sea, options.voyage, [&](const BoatInWaves& scene) {
+        if (options.film.isWanted())
+            film.look({scene.world(), sea.water(), scene.time(),
+                       [&](const btRigidBody&) { return scene.report(); }});
+    });
     if (voyage.mishap != Mishap::none) {
         std::fprintf(stderr, "boat_in_waves: %s after %zu steps of the record\n", describe(voyage.mishap),
                      voyage.samples.size());
@@ -80,6 +89,7 @@ int run(const Options& options) {
     printSummary(options, boat, sea, voyage, responses);
     if (!write(options, voyage, responses, sea)) return 1;
     if (!options.plot.empty() && !plot({boat, sea, voyage, responses}, options.plot)) return 1;
+    if (options.film.isWanted() && !writeFilm(film.film(), options.film, "boat_in_waves")) return 1;
     return 0;
 }
 

@@ -127,6 +127,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
     addSea(app, options, choices);
     addBoat(app, options);
     addRun(app, options);
+    recording::addFilmOptions(app, options.film);
     if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     complete(options, choices);
     return options;

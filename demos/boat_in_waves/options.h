@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "recording/film_options.h"
 #include "scenes/boat_in_waves.h"
 #include "scenes/wigley_hull.h"
 
@@ -18,6 +19,7 @@ struct Options {
     double ratio = 0.4;        ///< of the file's hull: displacement at rest over volume
     bool drifts = false;
     std::string csv, spectra, plot;  ///< files; empty: none
+    recording::FilmOptions film;
 };
 
 /// Reads the command line. No options if the program is to end now, with `exitStatus`: after --help, or on an

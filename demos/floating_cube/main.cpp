@@ -6,9 +6,11 @@
 #include "floating_cube/comparison.h"
 #include "floating_cube/options.h"
 #include "floating_cube/plot.h"
+#include "recording/world_film.h"
 #include "scenes/floating_cube.h"
 #include "scenes/floating_log.h"
 #include "scenes/free_spin.h"
+#include "scenes/scene_watch.h"
 
 namespace bullet_buoyancy::demo {
 namespace {
@@ -106,8 +108,15 @@ Table spinTable(const Stepping& stepping) {
              {"Bullet's: the axis of L strays by", "deg", theirs.angle * degrees, 0, printed}}};
 }
 
+CubeResult filmCube(const Options& options, recording::WorldFilm& film) {
+    if (!options.film.isWanted()) return dropCube(options.cube, options.stepping);
+    const SceneWatch watch([&](const FloatScene& scene) { film.look(scene); });
+    return dropCube(options.cube, options.stepping);
+}
+
 int run(const Options& options) {
-    const CubeResult cube = dropCube(options.cube, options.stepping);
+    recording::WorldFilm film(options.film.film);
+    const CubeResult cube = filmCube(options, film);
     const std::vector<LogResult> logs = sweepLogs(options);
     std::vector<Table> tables{cubeTable(cube, options.cube), heaveTable(options.stepping), logTable(logs),
                               thresholdTable(options.stepping), spinTable(options.stepping)};
@@ -120,6 +129,7 @@ int run(const Options& options) {
         return 1;
     }
     if (!options.plot.empty() && !plot(cube, logs, options.plot)) return 1;
+    if (options.film.isWanted() && !writeFilm(film.film(), options.film, "floating_cube")) return 1;
     return allPass(tables) ? 0 : 1;
 }
 

@@ -35,6 +35,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
     app.add_option("--plot", options.plot,
                    "draw the cube's fall and the log's tilts into this .png or .svg file")
         ->check(scenes::isPicture);
+    recording::addFilmOptions(app, options.film);
     if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "recording/film_options.h"
 #include "scenes/floating_cube.h"
 
 namespace bullet_buoyancy::demo {
@@ -10,9 +11,10 @@ namespace bullet_buoyancy::demo {
 struct Options {
     scenes::CubeDef cube;
     scenes::Stepping stepping;
-    double ratioStep = 0.05;  ///< of the log's sweep from 0.05 to 0.95
-    std::string csv;          ///< file for the tables; empty: none
-    std::string plot;         ///< PNG or SVG file; empty: none
+    double ratioStep = 0.05;      ///< of the log's sweep from 0.05 to 0.95
+    std::string csv;              ///< file for the tables; empty: none
+    std::string plot;             ///< PNG or SVG file; empty: none
+    recording::FilmOptions film;  ///< of the cube
 };
 
 /// Reads the command line. No options if the program is to end now, with `exitStatus`: after --help, or on an

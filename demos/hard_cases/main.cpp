@@ -5,6 +5,8 @@
 #include "hard_cases/hard_case.h"
 #include "hard_cases/options.h"
 #include "hard_cases/score.h"
+#include "recording/world_film.h"
+#include "scenes/scene_watch.h"
 
 #ifdef _WIN32
 #include <io.h>
@@ -49,6 +51,19 @@ std::vector<Score> runAll(const std::vector<HardCase>& cases, bool verbose) {
     return all;
 }
 
+/// As the library floats it. Of a case that has several scenes the first is filmed.
+bool film(const std::vector<HardCase>& cases, const Options& options) {
+    const auto chain = std::find_if(cases.begin(), cases.end(), [](const HardCase& hardCase) {
+        return hardCase.fullName() == "thirty barrels on a chain/1/60 s";
+    });
+    const HardCase& hardCase = options.only.empty() && chain != cases.end() ? *chain : cases.front();
+    recording::WorldFilm film(options.film.film);
+    const scenes::SceneWatch watch([&](const scenes::FloatScene& scene) { film.look(scene); });
+    hardCase.measure(scenes::Floater::library);
+    std::printf("Filmed: %s\n", hardCase.fullName().c_str());
+    return writeFilm(film.film(), options.film, "hard_cases");
+}
+
 int run(const Options& options) {
     const std::vector<HardCase> cases = select(options);
     if (options.list) {
@@ -72,6 +87,7 @@ int run(const Options& options) {
         std::fprintf(stderr, "hard_cases: cannot write %s\n", options.csv.c_str());
         return 1;
     }
+    if (options.film.isWanted() && !film(cases, options)) return 1;
     return failures(&Score::ours) > 0 ? 1 : 0;
 }
 

@@ -19,6 +19,8 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
     app.add_flag("--quick", options.quick, "a thinned selection, for under a minute");
     app.add_flag("--verbose", options.verbose,
                  "print each case of a group, not only the worst of each quantity");
+    recording::addFilmOptions(app, options.film);
+    app.footer("Filmed is the first case of the run, and of all cases the barrels on a chain.");
     if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }

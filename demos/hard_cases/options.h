@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "recording/film_options.h"
+
 namespace bullet_buoyancy::demo {
 
 struct Options {
@@ -11,6 +13,7 @@ struct Options {
     bool list = false;     ///< print the names, run nothing
     bool quick = false;    ///< a thinned grid
     bool verbose = false;  ///< a row for each case of a group
+    recording::FilmOptions film;
 };
 
 /// Reads the command line. No options if the program is to end now, with `exitStatus`: after --help, or on an

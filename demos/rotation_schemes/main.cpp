@@ -1,9 +1,12 @@
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <vector>
 
+#include "bullet_buoyancy/hull/hull.h"
 #include "rotation_schemes/measure.h"
 #include "rotation_schemes/options.h"
+#include "scenes/study_hulls.h"
 
 namespace bullet_buoyancy::demo {
 namespace {
@@ -68,6 +71,48 @@ bool writeCsv(const std::vector<Row>& rows, const std::string& file) {
     return bool(csv.flush());
 }
 
+/// A box that spins by one scheme, where it is seen in the film.
+struct FilmedSpin {
+    const Scheme& scheme;
+    Vec3 principal;
+    Tumbler tumbler;
+    Vec3 place;  // m
+    std::size_t number;
+};
+
+/// A row of boxes for each case, a column for each scheme; the library's own is white.
+std::vector<FilmedSpin> castOf(recording::Film& film) {
+    constexpr double distance = 2.2;  // m
+    std::vector<FilmedSpin> spins;
+    for (std::size_t row = 0; row < spinCases().size(); ++row) {
+        const SpinCase& spin = spinCases()[row];
+        const auto hull = makeHull(scenes::boxMesh(2 * spin.halfExtents)).hull;
+        for (std::size_t column = 0; column < schemes().size(); ++column) {
+            const Scheme& scheme = schemes()[column];
+            const auto look = scheme.step == ours().step ? recording::Look::white : recording::Look::wood;
+            spins.push_back({scheme, spin.principal(), spin.start(),
+                             distance * Vec3(double(column), double(row), 0),
+                             film.addBody(spin.name + ": " + scheme.name, look, hull)});
+        }
+    }
+    return spins;
+}
+
+bool film(const RotationOptions& options) {
+    recording::Film film(options.film.film, WaterFrame::zUp());
+    std::vector<FilmedSpin> spins = castOf(film);
+    for (long i = 0; i <= std::lround(options.seconds / options.dt); ++i) {
+        if (const double time = double(i) * options.dt; film.isDue(time)) {
+            film.beginFrame(time);
+            for (const FilmedSpin& spin : spins)
+                film.show(spin.number, {spin.place, spin.tumbler.orientation});
+        }
+        for (FilmedSpin& spin : spins)
+            spin.scheme.step(spin.principal, spin.tumbler, options.dt);
+    }
+    return writeFilm(&film, options.film, "rotation_schemes");
+}
+
 int run(const RotationOptions& options) {
     const std::vector<Row> rows = measure(options);
     print(rows, options);
@@ -75,6 +120,7 @@ int run(const RotationOptions& options) {
         std::fprintf(stderr, "rotation_schemes: cannot write %s\n", options.csv.c_str());
         return 1;
     }
+    if (options.film.isWanted() && !film(options)) return 1;
     for (const Row& row : rows)
         if (!row.passes()) return 1;
     return 0;

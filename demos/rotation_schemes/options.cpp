@@ -18,6 +18,7 @@ std::optional<RotationOptions> parseRotationOptions(int argc, char** argv, int& 
     app.add_option("--block", options.stepsInABlock, "steps in each of the nine blocks that are timed")
         ->check(CLI::Range(1, 100000000));
     app.add_option("--csv", options.csv, "write the table to this file");
+    recording::addFilmOptions(app, options.film);
     if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "recording/film_options.h"
+
 namespace bullet_buoyancy::demo {
 
 struct RotationOptions {
@@ -10,6 +12,7 @@ struct RotationOptions {
     double seconds = 10;        ///< simulated time
     int stepsInABlock = 20000;  ///< of which the time is taken
     std::string csv;            ///< file for the table; empty: none
+    recording::FilmOptions film;
 };
 
 /// Reads the command line. No options if the program is to end now, with `exitStatus`: after --help, or on an

@@ -106,7 +106,8 @@ VoyageSample BoatInWaves::sample() const {
             report().waterSamples};
 }
 
-Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def) {
+Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def,
+            const std::function<void(const BoatInWaves&)>& look) {
     using Clock = std::chrono::steady_clock;
     BoatInWaves scene(boat, sea, def);
     const long settling = std::lround(def.settling / def.step), steps = std::lround(def.duration / def.step);
@@ -115,7 +116,9 @@ Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def) {
     const auto start = Clock::now();
     for (long i = -settling; i < steps && scene.mishap() == Mishap::none; ++i) {
         scene.step();
-        if (i >= 0) voyage.samples.push_back(scene.sample());
+        if (i < 0) continue;
+        voyage.samples.push_back(scene.sample());
+        look(scene);
     }
     voyage.mishap = scene.mishap();
     voyage.clockPerStep =

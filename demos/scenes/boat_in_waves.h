@@ -2,6 +2,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -64,6 +65,9 @@ public:
 
     void step();
 
+    double time() const { return m_time; }  ///< of the water, s
+    const btDiscreteDynamicsWorld& world() const { return m_world; }
+
     VoyageSample sample() const;
     Mishap mishap() const { return m_mishap; }
 
@@ -91,7 +95,10 @@ private:
     std::unique_ptr<btRigidBody> m_body;
 };
 
-Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def);
+/// `look` is called after each step of the record.
+Voyage sail(
+    const Boat& boat, Sea& sea, const VoyageDef& def,
+    const std::function<void(const BoatInWaves&)>& look = [](const BoatInWaves&) {});
 
 /// One column of a record.
 std::vector<double> series(const Voyage& voyage, double VoyageSample::*quantity);

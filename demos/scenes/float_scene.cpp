@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "scenes/scene_watch.h"
 
 namespace bullet_buoyancy::scenes {
 
@@ -79,12 +80,14 @@ void FloatScene::addJoint(std::unique_ptr<btTypedConstraint> joint) {
 }
 
 void FloatScene::step(double dt, int substeps) {
+    if (m_time == 0) SceneWatch::show(*this);
     const auto fixedStep = btScalar(dt / substeps);
     if (substeps == 1)
         m_world->stepSimulation(fixedStep, 0);
     else
         m_world->stepSimulation(fixedStep * btScalar(substeps), substeps, fixedStep);
     m_time += dt;
+    SceneWatch::show(*this);
 }
 
 void FloatScene::run(double seconds, double dt, int substeps) {

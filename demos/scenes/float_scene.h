@@ -61,6 +61,7 @@ public:
     void run(double seconds, double dt, int substeps = 1);
 
     btDiscreteDynamicsWorld& world() { return *m_world; }
+    const btDiscreteDynamicsWorld& world() const { return *m_world; }
     BuoyancyAction& buoyancy() { return m_buoyancy; }
     btActionInterface& floater();
     const FlatWater& water() const { return m_water; }

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "bullet_buoyancy/water/flat_water.h"
+#include "recording/slide_show.h"
 #include "scenes/statistics.h"
 #include "scenes/thread_scheduler.h"
 #include "scenes/timed_scene.h"
@@ -89,6 +90,19 @@ void printThreads(int bodies, int substeps) {
     }
 }
 
+/// A pose of each hull in each water; the larger meshes have the shape of the smaller ones.
+bool film(const SpeedOptions& options) {
+    constexpr double reach = 6;  // m
+    constexpr std::size_t mostTriangles = 5120;
+    recording::SlideShow show(options.film.film, reach);
+    for (const NamedSea& water : allWaters())
+        for (const NamedHull& hull : hullsOfAllKinds())
+            if (hull.hull->mesh.triangles.size() <= mostTriangles)
+                show.show(hull.name + ", " + water.name, recording::Look::orange, hull.hull, *water.water,
+                          casesAcross(*water.water, *hull.hull, 1), 1);
+    return writeFilm(&show.film(), options.film, "speed_vs_error");
+}
+
 int run(const SpeedOptions& options) {
     std::printf(
         "%s\nTimes of one evaluation; speeds in multiples of the first evaluator's in the same run. Errors\n"
@@ -114,6 +128,7 @@ int run(const SpeedOptions& options) {
         }
     }
     if (!options.plot.empty() && !plot(rows, options.plot)) return 1;
+    if (options.film.isWanted() && !film(options)) return 1;
     return broken > 0;
 }
 

@@ -19,6 +19,7 @@ std::optional<SpeedOptions> parseSpeedOptions(int argc, char** argv, int& exitSt
     app.add_option("--csv", options.csv, "write the table to this file");
     app.add_option("--plot", options.plot, "draw times against errors into this .png or .svg file")
         ->check(scenes::isPicture);
+    recording::addFilmOptions(app, options.film);
     if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;
 }

@@ -2,8 +2,11 @@
 #include <cstdio>
 #include <fstream>
 
+#include "recording/film_options.h"
+#include "recording/world_film.h"
 #include "scenes/crowd_pose.h"
 #include "scenes/float_scene.h"
+#include "scenes/scene_watch.h"
 #include "scenes/stopwatch.h"
 
 namespace bullet_buoyancy::demo {
@@ -14,6 +17,7 @@ using namespace scenes;
 struct Options {
     int bodies = 1000, steps = 300;
     std::string csv;
+    recording::FilmOptions film;
 };
 
 /// One crowd of boxes and one way to step it.
@@ -85,6 +89,14 @@ std::vector<Case> allCases() {
     return cases;
 }
 
+/// Of the first crowd by the guarded step, apart from the timings.
+bool film(const Case& crowd, const Options& options) {
+    recording::WorldFilm film(options.film.film);
+    const SceneWatch watch([&](const FloatScene& scene) { film.look(scene); });
+    measure(crowd, options);
+    return writeFilm(film.film(), options.film, "step_cost");
+}
+
 int run(const Options& options) {
     std::ofstream csv;
     if (!options.csv.empty()) {
@@ -109,6 +121,7 @@ int run(const Options& options) {
                     << costs[j].nanoseconds << ',' << share << ',' << evaluations << '\n';
         }
     }
+    if (options.film.isWanted() && !film(cases[2], options)) return 1;
     if (options.csv.empty() || csv.flush()) return 0;
     std::fprintf(stderr, "step_cost: cannot write %s\n", options.csv.c_str());
     return 1;
@@ -128,6 +141,7 @@ int main(int argc, char** argv) {
     app.add_option("--bodies", options.bodies, "bodies of each kind")->check(CLI::Range(1, 100000));
     app.add_option("--steps", options.steps, "steps of each kind")->check(CLI::Range(10, 100000));
     app.add_option("--csv", options.csv, "write the table to this file");
+    bullet_buoyancy::recording::addFilmOptions(app, options.film);
     CLI11_PARSE(app, argc, argv);
     return bullet_buoyancy::demo::run(options);
 }

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "recording/slide_show.h"
 #include "scenes/study_seas.h"
 #include "wave_accuracy/options.h"
 #include "wave_accuracy/study.h"
@@ -55,6 +56,17 @@ void printSamplesOfMeshes(const NamedSea& sea, double diameter, int poses, Press
         many.samples / few.samples, many.microseconds / few.microseconds);
 }
 
+/// Some poses of each hull in each sea.
+bool film(const std::vector<NamedSea>& seas, double length, const AccuracyOptions& options) {
+    constexpr int slides = 5;
+    recording::SlideShow show(options.film.film, length);
+    for (const NamedSea& sea : seas)
+        for (const StudyHull& hull : studyHulls(length))
+            show.show(hull.name + ", " + sea.name, recording::Look::orange, hull.hull, *sea.water,
+                      casesAcross(*sea.water, *hull.hull, slides), slides);
+    return writeFilm(&show.film(), options.film, "wave_accuracy");
+}
+
 int run(const AccuracyOptions& options) {
     const PressureModel pressure = options.dynamic ? PressureModel::waveDynamic : PressureModel::hydrostatic;
     const double length = wavesInAHull * deepWaveLength(peakPeriod);
@@ -89,6 +101,7 @@ int run(const AccuracyOptions& options) {
         }
     for (const NamedSea& sea : seas)
         printSamplesOfMeshes(sea, length, options.poses, pressure);
+    if (options.film.isWanted() && !film(seas, length, options)) return 1;
     if (broken > 0) std::printf("\n%d bounds do not hold\n", broken);
     if (options.csv.empty() || csv.flush()) return broken > 0;
     std::fprintf(stderr, "wave_accuracy: cannot write %s\n", options.csv.c_str());

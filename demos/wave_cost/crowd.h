@@ -27,6 +27,8 @@ public:
     /// Points at which an evaluation asks the water, mean.
     double samples() const;
 
+    const BuoyancyAction& action() const { return m_action; }
+
     /// Of the water's pressure in the last step, a body, mean.
     double evaluations() const;
 

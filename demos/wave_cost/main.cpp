@@ -2,6 +2,9 @@
 #include <cstdio>
 #include <fstream>
 
+#include "recording/film_options.h"
+#include "recording/world_film.h"
+#include "scenes/scene_watch.h"
 #include "scenes/statistics.h"
 #include "scenes/study_seas.h"
 #include "wave_cost/crowd.h"
@@ -14,6 +17,7 @@ using namespace scenes;
 struct Options {
     int bodies = 1000, steps = 30, rounds = 9;
     std::string csv;
+    recording::FilmOptions film;
 };
 
 /// Of one crowd, a figure a round: ns a body, and over those of the crowd in flat water in the same round.
@@ -75,6 +79,18 @@ void print(const std::vector<CrowdInSea>& crowds, std::ofstream& csv) {
     }
 }
 
+/// Of a crowd in the first sea, apart from the timings.
+bool film(const WaterField& sea, const Options& options) {
+    Crowd crowd(sea, {PressureModel::hydrostatic, 1e-2}, options.bodies);
+    recording::WorldFilm film(options.film.film);
+    const SceneWatch watch([&](const FloatScene& scene) {
+        film.look({scene.world(), sea, crowd.action().time(),
+                   [&](const btRigidBody& body) { return crowd.action().report(body); }});
+    });
+    crowd.step(options.steps * options.rounds);
+    return writeFilm(film.film(), options.film, "wave_cost");
+}
+
 int run(const Options& options) {
     const FlatWater flat(WaterFrame::zUp());
     const std::vector<NamedSea> seas = threeSeas();
@@ -94,6 +110,7 @@ int run(const Options& options) {
     for (int round = 0; round < options.rounds; ++round)
         runRound(crowds, options.steps);
     print(crowds, csv);
+    if (options.film.isWanted() && !film(*seas.front().water, options)) return 1;
     if (options.csv.empty() || csv.flush()) return 0;
     std::fprintf(stderr, "wave_cost: cannot write %s\n", options.csv.c_str());
     return 1;
@@ -115,6 +132,7 @@ int main(int argc, char** argv) {
     app.add_option("--steps", options.steps, "steps of each round")->check(CLI::Range(10, 100000));
     app.add_option("--rounds", options.rounds, "rounds")->check(CLI::Range(1, 1000));
     app.add_option("--csv", options.csv, "write the table to this file");
+    bullet_buoyancy::recording::addFilmOptions(app, options.film);
     CLI11_PARSE(app, argc, argv);
     return bullet_buoyancy::demo::run(options);
 }

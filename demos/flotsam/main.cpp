@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "bullet_buoyancy/bullet/convert.h"
+#include "recording/film_options.h"
+#include "recording/shaded_mesh.h"
+#include "recording/world_film.h"
+#include "scenes/command_line.h"
+#include "scenes/flotsam.h"
+#include "scenes/sea.h"
+#include "scenes/stopwatch.h"
+#include "scenes/study_cases.h"
+
+namespace bullet_buoyancy::demo {
+namespace {
+
+using namespace scenes;
+
+struct Options {
+    FlotsamDef scene;
+    SeaDef sea;
+    double duration = 30, dt = 1.0 / 60;  // s
+    recording::FilmOptions film;
+};
+
+recording::Look lookOf(Flotsam kind) {
+    using recording::Look;
+    switch (kind) {
+        case Flotsam::crate:
+            return Look::wood;
+        case Flotsam::barrel:
+            return Look::blue;
+        case Flotsam::buoy:
+            return Look::orange;
+        case Flotsam::fender:
+            return Look::yellow;
+        case Flotsam::spar:
+            return Look::darkWood;
+        case Flotsam::plank:
+        case Flotsam::raft:
+            return Look::paleWood;
+        case Flotsam::lump:
+            return Look::stone;
+        case Flotsam::boat:
+            break;
+    }
+    return Look::red;
+}
+
+recording::Cast castOf(const FlotsamScene& scene, const btRigidBody& body) {
+    for (const FlotsamPiece& piece : scene.pieces())
+        if (piece.body.get() == &body) return {nameOf(piece.kind), lookOf(piece.kind), piece.hull};
+    return {};
+}
+
+/// How far the lowest point of a piece is below the surface above its centre, m.
+double draughtOf(const FlotsamScene& scene, const FlotsamPiece& piece) {
+    const WaterFrame& frame = scene.water().frame();
+    const Pose pose = toPose(piece.body->getWorldTransform());
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : recording::trianglesOf(*piece.hull).vertices)
+        lowest = std::min(lowest, frame.pointFromWorld(pose.position + pose.orientation * vertex).z());
+    const Vec3 centre = frame.pointFromWorld(pose.position);
+    return elevationAt(scene.water(), centre.head<2>(), scene.time()) - lowest;
+}
+
+/// Of all pieces of a kind.
+struct KindSummary {
+    int pieces = 0, wet = 0;
+    double ratio = 0, wetFraction = 0, draught = 0;  // sums
+};
+
+/// False if anything is not as a sea would leave it.
+bool printSummary(const FlotsamScene& scene, double carried) {
+    KindSummary kinds[flotsamKinds];
+    int lost = 0;
+    for (const FlotsamPiece& piece : scene.pieces()) {
+        const BodyReport report = scene.buoyancy().report(*piece.body);
+        lost += report.state != BodyState::floating && report.state != BodyState::submerged &&
+                report.state != BodyState::dry;
+        KindSummary& kind = kinds[int(piece.kind)];
+        ++kind.pieces;
+        kind.wet += report.wetFraction > 0;
+        kind.ratio += piece.ratio;
+        kind.wetFraction += report.wetFraction;
+        kind.draught += draughtOf(scene, piece);
+    }
+    std::printf("\n%-10s %6s %6s %14s %12s %12s\n", "", "pieces", "wet", "density ratio", "under water",
+                "draught, m");
+    for (int i = 0; i < flotsamKinds; ++i)
+        if (const KindSummary& kind = kinds[i]; kind.pieces > 0)
+            std::printf("%-10s %6d %6d %14.3f %12.3f %12.3f\n", nameOf(Flotsam(i)), kind.pieces, kind.wet,
+                        kind.ratio / kind.pieces, kind.wetFraction / kind.pieces, kind.draught / kind.pieces);
+    std::printf("\nThe water carries %.3f of their weight, mean of the last half; %d of %zu bodies lost\n",
+                carried, lost, scene.pieces().size());
+    return lost == 0;
+}
+
+/// Upward force of the water over the weight of all.
+double carriedNow(const FlotsamScene& scene) {
+    double force = 0, weight = 0;
+    for (const FlotsamPiece& piece : scene.pieces()) {
+        force +=
+            toEigen(scene.buoyancy().report(*piece.body).forceWorld).dot(scene.water().frame().upWorld());
+        weight += standardGravity / double(piece.body->getInvMass());
+    }
+    return force / weight;
+}
+
+int run(const Options& options) {
+    Sea sea(options.sea);
+    if (!sea.status()) {
+        std::fprintf(stderr, "flotsam: sea: %s\n", sea.status().describe().c_str());
+        return 1;
+    }
+    FlotsamScene scene(options.scene, sea.water());
+    recording::WorldFilm film(options.film.film,
+                              [&](const btRigidBody& body) { return castOf(scene, body); });
+    const auto look = [&] {
+        if (options.film.isWanted())
+            film.look({scene.world(), scene.water(), scene.time(),
+                       [&](const btRigidBody& body) { return scene.buoyancy().report(body); }});
+    };
+    look();
+    const long steps = std::lround(options.duration / options.dt);
+    double clock = 0, carried = 0;
+    for (long i = 0; i < steps; ++i) {
+        const double start = wallTime();
+        scene.step(options.dt);
+        clock += wallTime() - start;
+        if (i >= steps / 2) carried += carriedNow(scene) / double(steps - steps / 2);
+        look();
+    }
+    std::printf("%d bodies in a JONSWAP sea of %g m and %g s: %g s in %.2f s, %.1f simulated s a s\n",
+                options.scene.bodies, options.sea.height, options.sea.period, options.duration, clock,
+                options.duration / clock);
+    const bool allThere = printSummary(scene, carried);
+    if (options.film.isWanted() && !writeFilm(film.film(), options.film, "flotsam")) return 1;
+    return allThere ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::demo
+
+int main(int argc, char** argv) {
+    bullet_buoyancy::demo::Options options;
+    options.scene.buoyancy.tolerance = 1e-2;
+    options.sea.spreading = 10;
+    options.sea.components = 64;
+    CLI::App app{
+        "Drops crates, barrels, buoys, fenders, spars, planks, lumps, rafts and a boat into an irregular "
+        "sea, "
+        "and\ntells how they float. Exit status 1 if any is lost.",
+        "flotsam"};
+    app.option_defaults()->always_capture_default();
+    app.add_option("--bodies", options.scene.bodies, "pieces")->check(CLI::Range(1, 10000));
+    app.add_option("--seed", options.scene.seed, "of the pieces");
+    app.add_option("--height", options.sea.height, "significant height of the waves, m")
+        ->check(CLI::Range(0.0, 20.0));
+    app.add_option("--period", options.sea.period, "of the spectrum's peak, s")->check(CLI::Range(0.5, 30.0));
+    app.add_option("--sea-seed", options.sea.seed, "of the waves");
+    app.add_option("--duration", options.duration, "simulated time, s")->check(CLI::Range(0.1, 1e6));
+    app.add_option("--dt", options.dt, "length of a step, s")->check(CLI::Range(1e-4, 0.1));
+    bullet_buoyancy::recording::addFilmOptions(app, options.film);
+    int exitStatus = 0;
+    if (!bullet_buoyancy::scenes::parse(app, argc, argv, exitStatus)) return exitStatus;
+    return bullet_buoyancy::demo::run(options);
+}
