@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <map>
 
-#include "bullet_buoyancy/config.h"
+#include "bullet_buoyancy/version.h"
 #include "recording/gltf_buffer.h"
 #include "recording/shaded_mesh.h"
 #include "recording/water_mesh.h"
