@@ -18,7 +18,7 @@ export async function launch() {
 /** The page from disk, without a network, with all that it complains of and asks for. */
 export class Viewer {
   static async open(browser, path = viewerPage, options = {}) {
-    const context = await browser.newContext({ viewport: { width: 1200, height: 675 }, ...options });
+    const context = await browser.newContext({ viewport: { width: 960, height: 540 }, ...options });
     const viewer = new Viewer();
     viewer.complaints = [];
     viewer.requests = [];
@@ -78,7 +78,7 @@ export class Viewer {
   }
 }
 
-/** Share of the pixels' values that differ by more than noise. */
+/** Share of the pixels' values that differ. */
 export function difference(a, b) {
-  return a.filter((value, i) => Math.abs(value - b[i]) > 8).length / a.length;
+  return a.filter((value, i) => Math.abs(value - b[i]) > 2).length / a.length;
 }
