@@ -31,6 +31,7 @@ export class Film {
     this.showForces(false);
     this.seek(0);
     this.bounds = this.#stageBounds();
+    if (this.bounds.isEmpty()) throw new Error('there is nothing in it');
     if (this.water) dressWater(this.water, this.bounds.min.y);
   }
 

@@ -58,7 +58,7 @@ export class Viewer {
     return this.page.evaluate(`(${what})(window.viewer.film())`);
   }
 
-  /** World positions of the bodies, by the names in the file. */
+  /** Names of the bodies in the file, and their world positions. */
   bodies() {
     return this.film((film) => film.bodies.map((body) => [body.userData.name, body.matrixWorld.elements.slice(12, 15)]));
   }

@@ -12,6 +12,7 @@ import { allDemos, recording } from './recordings.js';
 
 const options = { timeout: 600_000 };
 const single = 1e-6;  // of the length: files and page count in single precision
+const isMarker = /: (force|centre of buoyancy)$/;
 let browser, folder;
 
 before(async () => {
@@ -40,17 +41,15 @@ function assertNear(actual, expected, tolerance, what) {
   });
 }
 
-/** All bodies that move are where the file has them. */
+/** All bodies are where the file has them, in the file's order. */
 async function checkBodies(viewer, glb, time) {
-  const seen = new Map(await viewer.bodies());
-  const bodies = glb.json.nodes.filter(({ name }) => name !== 'water' && !/: (force|centre of buoyancy)$/.test(name));
-  assert.equal(seen.size, bodies.length);
-  for (const { name, translation } of bodies) {
-    const node = glb.node(name);
+  const seen = await viewer.bodies();
+  const bodies = [...glb.json.nodes.entries()].filter(([, { name }]) => name !== 'water' && !isMarker.test(name));
+  assert.deepEqual(seen.map(([name]) => name), bodies.map(([, { name }]) => name));
+  bodies.forEach(([node, { name, translation }], i) => {
     const place = glb.keys(node, 'translation') ? glb.valueAt(node, 'translation', time) : translation;
-    const reach = 1 + Math.hypot(...place);
-    assertNear(seen.get(name), place, 8 * single * reach, name);
-  }
+    assertNear(seen[i][1], place, 8 * single * (1 + Math.hypot(...place)), name);
+  });
 }
 
 /** The surface is where the file has it, and the walls of the block below reach up to it. */
