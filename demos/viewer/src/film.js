@@ -2,9 +2,9 @@ import { AnimationMixer, Box3, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { dressWater } from './water.js';
 
-const isMarker = (name) => / (centre of buoyancy|force)$/.test(name);
+const isMarker = (name) => /: (centre of buoyancy|force)$/.test(name);
 
-/** A film as a demo records it: nodes for the bodies, "water", and markers "<body>: force", "<body>: centre of buoyancy". */
+/** A film as demos record it: a node for each body, "water", and markers "BODY: force", "BODY: centre of buoyancy". */
 export class Film {
   /** Rejects, with a message for people, what is no glTF binary. */
   static async read(bytes) {
@@ -55,17 +55,16 @@ export class Film {
   }
 
   /**
-   * Of the water at all times, with room below for what sinks in, and of the bodies as they start; but of what comes
-   * from high or goes deep only a part.
+   * Of the water at all times, with room below for what dips in, and of the bodies as they start, as far as they are
+   * near the water.
    */
   #stageBounds() {
     const always = this.#boundsOverTime(this.bodies);
     if (!this.water) return always;
     const starts = boundsOf(this.bodies), bounds = this.#boundsOverTime([this.water]);
     const size = bounds.getSize(new Vector3()), width = Math.min(size.x, size.z);
-    starts.max.y = Math.min(starts.max.y, bounds.max.y + 0.3 * width);
+    starts.intersect(bounds.clone().expandByScalar(0.3 * width));
     bounds.min.y = Math.max(Math.min(bounds.min.y - 0.14 * width, always.min.y), bounds.min.y - 0.4 * width);
-    starts.min.y = Math.max(starts.min.y, bounds.min.y);
     return bounds.union(starts);
   }
 

@@ -105,7 +105,7 @@ export class Stage {
   }
 }
 
-/** As the eye sees it: light all around. Or as it lights, and the water mirrors it: darker above, with a glow at the sun. */
+/** As the eye sees it: light all around. Or as it lights and the water mirrors it: darker above, with a glow of sun. */
 function sky(lights) {
   const material = new ShaderMaterial({
     side: BackSide, depthWrite: false, toneMapped: false,

@@ -10,7 +10,7 @@ export const viewerPage = here('../dist/viewer.html');
 
 export async function launch() {
   if (!existsSync(executablePath))
-    throw new Error(`there is no browser at ${executablePath}: install chromium (Debian: chromium), or set CHROMIUM to one`);
+    throw new Error(`no browser at ${executablePath}: install chromium (Debian: chromium), or set CHROMIUM to one`);
   mkdirSync(shots, { recursive: true });
   return chromium.launch({ executablePath, args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
 }
@@ -60,7 +60,8 @@ export class Viewer {
 
   /** Names of the bodies in the file, and their world positions. */
   bodies() {
-    return this.film((film) => film.bodies.map((body) => [body.userData.name, body.matrixWorld.elements.slice(12, 15)]));
+    return this.film((film) =>
+      film.bodies.map((body) => [body.userData.name, body.matrixWorld.elements.slice(12, 15)]));
   }
 
   /** What is on the canvas, as 160 x 90 pixels of red, green and blue. */

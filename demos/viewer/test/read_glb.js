@@ -27,7 +27,8 @@ export class Glb {
     const channel = this.animation.channels.find(({ target }) => target.node === node && target.path === path);
     if (!channel) return null;
     const sampler = this.animation.samplers[channel.sampler];
-    return { times: this.floats(sampler.input), values: this.floats(sampler.output), steps: sampler.interpolation === 'STEP' };
+    const steps = sampler.interpolation === 'STEP';
+    return { times: this.floats(sampler.input), values: this.floats(sampler.output), steps };
   }
 
   /** By straight lines between the keys, or by steps. */

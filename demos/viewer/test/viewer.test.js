@@ -70,6 +70,13 @@ async function checkWater(viewer, glb, time) {
   assert.ok(tops.every((top) => surface.has(top.map((x) => x.toFixed(4)).join())), 'the walls end at the surface');
 }
 
+/** A scene of nothing. */
+function bareGlb() {
+  const json = Buffer.from('{"asset":{"version":"2.0"},"scene":0,"scenes":[{}]}'.padEnd(52)), head = 20;
+  const words = new Uint32Array([0x46546c67, 2, head + json.length, json.length, 0x4e4f534a]);
+  return Buffer.concat([Buffer.from(words.buffer), json]);
+}
+
 async function checkFilm(viewer, demo) {
   const glb = new Glb(recording(demo));
   await viewer.load(recording(demo));
@@ -162,14 +169,18 @@ test('fills the window, on any screen', options, () => inViewer(async (viewer) =
 }, undefined, { deviceScaleFactor: 2 }));
 
 test('says what is wrong with a bad file, and keeps the film', options, () => inViewer(async (viewer) => {
-  const text = join(folder, 'text.glb'), half = join(folder, 'half.glb'), empty = join(folder, 'empty.glb');
+  const bad = (name, bytes) => {
+    writeFileSync(join(folder, name), bytes);
+    return join(folder, name);
+  };
   const whole = readFileSync(recording('floating_cube'));
-  writeFileSync(text, 'not a film');
-  writeFileSync(half, whole.subarray(0, whole.length / 2));
-  writeFileSync(empty, '');
   await viewer.load(recording('floating_cube'));
-  for (const [path, message] of [[text, /text\.glb cannot be played: it is not a glTF/],
-    [half, /half\.glb cannot be played: /], [empty, /empty\.glb cannot be played: it is not a glTF/]]) {
+  for (const [path, message] of [
+    [bad('text.glb', 'not a film'), /text\.glb cannot be played: it is not a glTF/],
+    [bad('half.glb', whole.subarray(0, whole.length / 2)), /half\.glb cannot be played: /],
+    [bad('empty.glb', ''), /empty\.glb cannot be played: it is not a glTF/],
+    [bad('bare.glb', bareGlb()), /bare\.glb cannot be played: there is nothing in it/],
+  ]) {
     await viewer.page.setInputFiles('#file', path);
     await viewer.page.getByRole('alert').filter({ hasText: message }).waitFor();
   }
@@ -192,7 +203,8 @@ test('takes a file that is dropped', options, () => inViewer(async (viewer) => {
 
 test('fetches the file that the address names', options, async () => {
   const server = createServer((request, response) => {
-    const path = { '/viewer.html': viewerPage, '/floating_cube.glb': recording('floating_cube') }[request.url.split('?')[0]];
+    const files = { '/viewer.html': viewerPage, '/floating_cube.glb': recording('floating_cube') };
+    const path = files[request.url.split('?')[0]];
     response.writeHead(path ? 200 : 404).end(path && readFileSync(path));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
@@ -212,8 +224,8 @@ test('fetches the file that the address names', options, async () => {
 
 test('a packed page plays by itself', options, async () => {
   const packed = join(folder, 'packed.html');
-  execFileSync(process.execPath, [fileURLToPath(new URL('../pack.js', import.meta.url)), recording('floating_cube'), packed],
-    { env: { ...process.env, INIT_CWD: undefined } });
+  const pack = fileURLToPath(new URL('../pack.js', import.meta.url));
+  execFileSync(process.execPath, [pack, recording('floating_cube'), packed]);
   await inViewer(async (viewer) => {
     await viewer.waitForFilm();
     assert.equal(await viewer.film((film) => film.bodies.length), 1);
