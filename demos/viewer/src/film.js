@@ -20,6 +20,7 @@ export class Film {
     this.duration = Math.max(0, ...gltf.animations.map((clip) => clip.duration));
     this.bodies = [];
     this.markers = [];
+    const moving = new Set(gltf.animations.flatMap(({ tracks }) => tracks.map(({ name }) => name.split('.')[0])));
     for (const node of this.root.children) {
       const name = node.userData.name ?? node.name;
       if (name === 'water') this.water = node;
@@ -30,7 +31,7 @@ export class Film {
     this.markers.forEach(drawOnTop);
     this.showForces(false);
     this.seek(0);
-    this.bounds = this.#stageBounds();
+    this.bounds = this.#stageBounds(this.bodies.filter((body) => moving.has(body.name)));
     if (this.bounds.isEmpty()) throw new Error('there is nothing in it');
     if (this.water) dressWater(this.water, this.bounds.min.y);
   }
@@ -55,17 +56,20 @@ export class Film {
   }
 
   /**
-   * Of the water at all times, with room below for what dips in, and of the bodies as they start, as far as they are
-   * near the water.
+   * Of the water at all times, with room below for what dips in, and of the bodies that move, as they start, as far as
+   * they are near the water; without water, of all bodies at all times.
    */
-  #stageBounds() {
-    const always = this.#boundsOverTime(this.bodies);
-    if (!this.water) return always;
-    const starts = boundsOf(this.bodies), bounds = this.#boundsOverTime([this.water]);
-    const size = bounds.getSize(new Vector3()), width = Math.min(size.x, size.z);
-    starts.intersect(bounds.clone().expandByScalar(0.3 * width));
-    bounds.min.y = Math.max(Math.min(bounds.min.y - 0.14 * width, always.min.y), bounds.min.y - 0.4 * width);
-    return bounds.union(starts);
+  #stageBounds(moving) {
+    if (!this.water) return this.#boundsOverTime(this.bodies);
+    const bounds = this.#boundsOverTime([this.water]), size = bounds.getSize(new Vector3());
+    const width = Math.min(size.x, size.z);
+    const heights = moving.map((body) => boundsOf([body]).getSize(new Vector3()).y);
+    const meanHeight = heights.reduce((sum, height) => sum + height, 0) / Math.max(heights.length, 1);
+    const near = bounds.clone().expandByScalar(0.3 * width);
+    near.max.y = Math.max(near.max.y, bounds.max.y + 3 * meanHeight);
+    const lowest = this.#boundsOverTime(moving).min.y;
+    bounds.min.y = Math.max(Math.min(bounds.min.y - 0.14 * width, lowest), bounds.min.y - 0.4 * width);
+    return bounds.union(boundsOf(moving).intersect(near));
   }
 
   #boundsOverTime(nodes) {
