@@ -139,7 +139,7 @@ test('shows the forces where they were filmed', options, () => inViewer(async (v
   assert.equal(await shown(), 0);
   await viewer.page.check('#forces');
   assert.equal(await shown(), await viewer.film((film) => 2 * film.bodies.length));
-  assert.ok(difference(without, await viewer.pixels()) > 0.001);
+  assert.ok(difference(without, await viewer.pixels()) > 0.0003, 'the forces are seen');
   await viewer.shoot('forces');
   await viewer.load(recording('flotsam'));
   assert.equal(await viewer.page.isVisible('#forces'), false);
