@@ -1,24 +1,60 @@
 #pragma once
 
-/// All that a user of Bullet includes.
+/// @file
+/// All that a user of Bullet includes. The headers that it names are the library's API.
+
+/// Buoyancy for Bullet Physics. Lengths are in m, masses in kg, times in s, angles in rad; "world" is
+/// Bullet's world frame, "body" that of a body, whose origin is its centre of mass and whose axes are
+/// principal ones.
+namespace bullet_buoyancy {}
 
 #include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/version.h"
 
+#include "bullet_buoyancy/bullet/action_state.h"
+#include "bullet_buoyancy/bullet/body_def.h"
+#include "bullet_buoyancy/bullet/body_report.h"
+#include "bullet_buoyancy/bullet/body_status.h"
 #include "bullet_buoyancy/bullet/buoyancy_action.h"
+#include "bullet_buoyancy/bullet/buoyancy_settings.h"
+#include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/bullet/hull_from_shape.h"
 #include "bullet_buoyancy/bullet/rigid_body_state.h"
+#include "bullet_buoyancy/core/constants.h"
+#include "bullet_buoyancy/core/math_types.h"
+#include "bullet_buoyancy/core/pose.h"
+#include "bullet_buoyancy/hull/convex_hull.h"
+#include "bullet_buoyancy/hull/hull.h"
+#include "bullet_buoyancy/hull/hull_status.h"
+#include "bullet_buoyancy/hull/place_part.h"
+#include "bullet_buoyancy/hull/solid_of_revolution.h"
+#include "bullet_buoyancy/hull/sphere.h"
+#include "bullet_buoyancy/hull/surface_moments.h"
+#include "bullet_buoyancy/hull/triangle_mesh.h"
+#include "bullet_buoyancy/hull/volume_moments.h"
 #include "bullet_buoyancy/hydrostatics/evaluate.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_batch.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_clustered.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
+#include "bullet_buoyancy/hydrostatics/hydrostatics.h"
+#include "bullet_buoyancy/hydrostatics/stiffness.h"
+#include "bullet_buoyancy/motion/body_motion.h"
 #include "bullet_buoyancy/motion/damping.h"
+#include "bullet_buoyancy/motion/energy_ledger.h"
+#include "bullet_buoyancy/motion/free_rotation.h"
 #include "bullet_buoyancy/water/airy_waves.h"
 #include "bullet_buoyancy/water/current.h"
+#include "bullet_buoyancy/water/dispersion.h"
 #include "bullet_buoyancy/water/flat_water.h"
 #include "bullet_buoyancy/water/function_water.h"
 #include "bullet_buoyancy/water/gerstner_waves.h"
 #include "bullet_buoyancy/water/height_grid.h"
+#include "bullet_buoyancy/water/pressure_model.h"
 #include "bullet_buoyancy/water/sea_state.h"
+#include "bullet_buoyancy/water/water_field.h"
+#include "bullet_buoyancy/water/water_frame.h"
+#include "bullet_buoyancy/water/water_status.h"
 #include "bullet_buoyancy/water/water_sum.h"
+#include "bullet_buoyancy/water/wave_component.h"
+#include "bullet_buoyancy/water/wave_spectrum.h"

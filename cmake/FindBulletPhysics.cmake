@@ -62,7 +62,8 @@ endforeach()
 set(BulletPhysics_PC_MODULE "")
 if(BulletPhysics_${BulletPhysics_precision}_PC_FOUND)
     cmake_path(GET BulletPhysics_${BulletPhysics_precision}_BulletDynamics PARENT_PATH BulletPhysics_directory)
-    cmake_path(COMPARE "${BulletPhysics_directory}" EQUAL "${BulletPhysics_${BulletPhysics_precision}_PC_LIBDIR}"
+    cmake_path(SET BulletPhysics_module_directory NORMALIZE "${BulletPhysics_${BulletPhysics_precision}_PC_LIBDIR}")
+    cmake_path(COMPARE "${BulletPhysics_directory}" EQUAL "${BulletPhysics_module_directory}"
         BulletPhysics_is_of_module)
     if(BulletPhysics_is_of_module)
         set(BulletPhysics_PC_MODULE ${BulletPhysics_${BulletPhysics_precision}_PC_MODULE_NAME})

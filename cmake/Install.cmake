@@ -19,7 +19,7 @@ install(EXPORT bullet_buoyancy
 
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/bullet_buoyancy" "${PROJECT_BINARY_DIR}/include/bullet_buoyancy"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
-    FILES_MATCHING PATTERN "*.h")
+    FILES_MATCHING PATTERN "*.h" PATTERN "docs" EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 configure_file(

@@ -102,6 +102,7 @@ function(buoyancy_explain_dependencies)
 
 The demos draw by gnuplot and POV-Ray, write films by TinyGLTF and read hulls from files by assimp, where there are
 (Debian: gnuplot-nox, povray, libtinygltf-dev, libassimp-dev).
+Doxygen makes the API reference.
 
 Where a Bullet of the wanted precision is not packaged, -DFETCH=ON builds all libraries from source.
 ")

@@ -11,7 +11,7 @@ cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake")
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH source_dir)
 
-buoyancy_provide_dependencies(libassimp-dev libtinygltf-dev povray pkg-config)
+buoyancy_provide_dependencies(libassimp-dev libtinygltf-dev povray pkg-config doxygen)
 
 if(NOT JOBS)
     cmake_host_system_information(RESULT JOBS QUERY NUMBER_OF_LOGICAL_CORES)

@@ -12,11 +12,12 @@ namespace bullet_buoyancy {
 /// send and store: the same on any machine, with a mark, a version, Bullet's precision and a check sum in
 /// them.
 struct ActionState {
-    std::vector<std::byte> bytes;
+    std::vector<std::byte> bytes;  ///< empty until something is saved
 };
 
+/// Why a state cannot be restored.
 enum class RestoreError {
-    none,
+    none,            ///< it was
     notAState,       ///< not written by `save`
     otherVersion,    ///< by a version of the library that keeps other things
     otherPrecision,  ///< with Bullet of another precision
@@ -29,11 +30,13 @@ enum class RestoreError {
 
 /// Whether the action is where the state was saved, and if not, why. It is then as it was before.
 struct RestoreStatus {
-    RestoreError error = RestoreError::none;
+    RestoreError error = RestoreError::none;  ///< why not
     std::size_t body = 0;  ///< of the state, the first that differs: the number of those added before it
     std::uint64_t id = 0;  ///< its `BodyDef::id`
 
+    /// It is.
     bool ok() const { return error == RestoreError::none; }
+    /// As `ok`.
     explicit operator bool() const { return ok(); }
 
     /// One line for people.

@@ -20,7 +20,7 @@ struct BodyDef {
     /// Drag and damping in proportion to the share of the volume that is wet; false: in full whenever wet.
     bool scaleByWetFraction = true;
 
-    StepScheme scheme = StepScheme::guarded;
+    StepScheme scheme = StepScheme::guarded;  ///< the other is for comparisons
 
     /// By which a saved state knows the body, unlike any other's of the action. Bodies of id 0 are known by
     /// the order in which they were added.

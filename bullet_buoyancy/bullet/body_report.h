@@ -23,21 +23,21 @@ enum class BodyState {
 
 /// Which effects acted in the last substep.
 struct Modelled {
-    bool hydrostatics = false;  ///< pressure of the water
-    bool linearDrag = false;
-    bool angularDamping = false;
+    bool hydrostatics = false;     ///< pressure of the water
+    bool linearDrag = false;       ///< of the water, or Bullet's own linear damping
+    bool angularDamping = false;   ///< of the water
     bool angularMomentum = false;  ///< the spin follows from it; false: the body cannot turn freely
 };
 
 /// What the water does to a body, at the pose at the end of the last substep that it took part in; zeros
 /// before the first, and where a step was not finite.
 struct BodyReport {
-    BodyState state = BodyState::notAdded;
-    Modelled modelled;
-    btVector3 forceWorld{0, 0, 0};      ///< of the water's pressure, N
-    double forceErrorBound = 0;         ///< it is no farther than this from that of the true surface, N
-    btVector3 torqueAboutCom{0, 0, 0};  ///< of the water's pressure, world axes, N m
-    double submergedVolume = 0;         ///< m^3
+    BodyState state = BodyState::notAdded;  ///< look here first: it says whether the rest is of this step
+    Modelled modelled;                      ///< what acted
+    btVector3 forceWorld{0, 0, 0};          ///< of the water's pressure, N
+    double forceErrorBound = 0;             ///< it is no farther than this from that of the true surface, N
+    btVector3 torqueAboutCom{0, 0, 0};      ///< of the water's pressure, world axes, N m
+    double submergedVolume = 0;             ///< m^3
     double wetFraction =
         0;  ///< submerged volume over the hull's, 0 to 1; a rough figure where the hull is open
     btVector3 centreOfBuoyancyWorld{0, 0, 0};  ///< m; the centre of mass where nothing is displaced
@@ -56,6 +56,7 @@ struct BodyReport {
     bool shapeHasChanged =
         false;  ///< swapped or scaled since its hull was read: see `BuoyancyAction::updateHull`
 
+    /// Compare with `energy.expected()`, J.
     double totalEnergy() const { return kineticEnergy + gravitationalEnergy + waterPotentialEnergy; }
 };
 

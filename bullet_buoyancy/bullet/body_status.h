@@ -6,9 +6,10 @@
 
 namespace bullet_buoyancy {
 
+/// Why a body does not float.
 enum class BodyError {
-    none,
-    alreadyAdded,
+    none,           ///< it does
+    alreadyAdded,   ///< to this action
     notAdded,       ///< the action does not know the body
     idTaken,        ///< another body of the action has the id
     staticBody,     ///< zero mass: nothing to float
@@ -21,11 +22,13 @@ enum class BodyError {
 
 /// Whether a body floats from now on as was asked for, and if not, why. A refused body is left as it was.
 struct BodyStatus {
-    BodyError error = BodyError::none;
-    HullStatus hull;      ///< refusal or remarks; empty for a hull given by the user
+    BodyError error = BodyError::none;  ///< why it was refused
+    HullStatus hull;                    ///< refusal or remarks; empty for a hull given by the user
     bool canTurn = true;  ///< false: its inverse inertia has zeros, and about those axes nothing turns it
 
+    /// It floats from now on.
     bool ok() const { return error == BodyError::none; }
+    /// As `ok`.
     explicit operator bool() const { return ok(); }
 
     /// One line for people.

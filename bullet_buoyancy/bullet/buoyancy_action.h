@@ -42,6 +42,7 @@ namespace bullet_buoyancy {
 /// with the same results for any number of threads. A step allocates nothing.
 class BuoyancyAction : public btActionInterface {
 public:
+    /// `settings.tolerance` must be finite and not below zero: asserted.
     explicit BuoyancyAction(const WaterField& water, const BuoyancySettings& settings = {});
     explicit BuoyancyAction(const WaterField&&, const BuoyancySettings& = {}) = delete;
     BuoyancyAction(const BuoyancyAction&) = delete;
@@ -62,12 +63,14 @@ public:
     /// known.
     bool removeBody(btRigidBody& body);
 
+    /// As `removeBody` for each. All of them must still exist.
     void removeAllBodies();
 
     /// What happened to the body in the last substep. For a body that the action does not know, a report in
     /// the state `notAdded`.
     BodyReport report(const btRigidBody& body) const;
 
+    /// Bodies that were added and not removed, whatever their state.
     std::size_t bodyCount() const { return m_bodies.size(); }
 
     /// Of the water, at the end of the last substep, s: draw the waves of this moment. It begins at 0 and
@@ -86,6 +89,7 @@ public:
     /// carries to its next call (none if its steps are whole multiples of the fixed step, or with maxSubSteps
     /// 0).
     void save(ActionState& state) const;
+    /// The same in a new state.
     ActionState save() const;
 
     /// After it, the steps give to the last bit what they gave after `save`, but for what is not saved. The

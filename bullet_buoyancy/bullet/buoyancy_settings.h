@@ -6,9 +6,11 @@ namespace bullet_buoyancy {
 
 /// How the action takes the pressure of the water.
 struct BuoyancySettings {
+    /// In waves; the same in flat water.
     PressureModel pressure = HydrostaticQuery().pressure;
 
-    /// See HydrostaticQuery; finite and not below zero.
+    /// Error of the force that waves may cause, over the weight of water that the whole hull displaces; 0:
+    /// every vertex asks the water. See HydrostaticQuery; finite and not below zero.
     double tolerance = HydrostaticQuery().tolerance;
 
     /// Of the sums over triangles, in flat water as well. Single precision is a fifth faster on a crate,

@@ -9,10 +9,12 @@
 
 namespace bullet_buoyancy {
 
+/// In double precision, without loss.
 inline Vec3 toEigen(const btVector3& v) {
     return {double(v.x()), double(v.y()), double(v.z())};
 }
 
+/// Rounded to btScalar.
 inline btVector3 toBullet(const Vec3& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
@@ -31,6 +33,7 @@ inline Pose toPose(const btTransform& transform) {
     return {toEigen(transform.getOrigin()), orientation};
 }
 
+/// Rounded to btScalar.
 inline btTransform toTransform(const Pose& pose) {
     const Eigen::Quaterniond& q = pose.orientation;
     return btTransform(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),

@@ -12,18 +12,24 @@ namespace bullet_buoyancy {
 /// Not here, since Bullet keeps it elsewhere or it is the user's: contacts, joints, the motion state; mass,
 /// inertia, factors, shape, collision flags, and whether the body is in a world.
 struct RigidBodyState {
-    btTransform transform, interpolation;
-    btVector3 velocity, spin;                            ///< m/s, rad/s
-    btVector3 interpolationVelocity, interpolationSpin;  ///< m/s, rad/s
-    btVector3 force, torque;                             ///< applied since they were last cleared, N, N m
-    btVector3 gravity;                                   ///< m/s^2
-    btScalar linearDamping, angularDamping;
-    btScalar deactivationTime;  ///< s
-    int activation;
-    int flags;
+    btTransform transform;            ///< body to world, m
+    btTransform interpolation;        ///< of the last substep, from which Bullet interpolates
+    btVector3 velocity;               ///< m/s
+    btVector3 spin;                   ///< rad/s
+    btVector3 interpolationVelocity;  ///< m/s
+    btVector3 interpolationSpin;      ///< rad/s
+    btVector3 force;                  ///< applied since it was last cleared, N
+    btVector3 torque;                 ///< likewise, N m
+    btVector3 gravity;                ///< m/s^2
+    btScalar linearDamping;           ///< Bullet's: share lost in a second
+    btScalar angularDamping;          ///< likewise
+    btScalar deactivationTime;        ///< s
+    int activation;                   ///< Bullet's activation state
+    int flags;                        ///< Bullet's rigid body flags
 
     /// With transforms of identity and zeros.
     RigidBodyState();
+    /// Of a body as it is now.
     explicit RigidBodyState(const btRigidBody& body);
 
     /// The body's inertia in the world is made anew from its transform. One in a world without contacts goes

@@ -2,6 +2,7 @@
 
 namespace bullet_buoyancy {
 
+/// Half a turn, rad.
 inline constexpr double pi = 3.14159265358979323846;
 
 /// Density of fresh water at 4 degrees Celsius, kg/m^3.

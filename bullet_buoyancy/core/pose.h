@@ -11,6 +11,7 @@ struct Pose {
     Vec3 position = Vec3::Zero();                                     ///< centre of mass in the world, m
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit length
 
+    /// Its columns are the body's axes in the world.
     Mat3 worldFromBody() const { return orientation.toRotationMatrix(); }
 };
 

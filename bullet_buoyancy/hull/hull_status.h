@@ -5,8 +5,9 @@
 
 namespace bullet_buoyancy {
 
+/// Why there is no hull.
 enum class HullError {
-    none,
+    none,              ///< there is one
     unsupportedShape,  ///< `HullStatus::reason` says why
     noTriangles,       ///< nothing to wet
     badIndices,        ///< a triangle names a vertex that does not exist
@@ -17,7 +18,7 @@ enum class HullError {
 
 /// Why a hull was refused, or what was remarked about one that was accepted.
 struct HullStatus {
-    HullError error = HullError::none;
+    HullError error = HullError::none;    ///< why it was refused
     const char* reason = "";              ///< static text, for `unsupportedShape`
     std::size_t weldedVertices = 0;       ///< repeated or unused vertices taken out
     std::size_t degenerateTriangles = 0;  ///< triangles without area taken out
@@ -32,6 +33,7 @@ struct HullStatus {
     double tessellationError =
         0;  ///< of smooth shapes without a formula: share of the volume that is uncertain
 
+    /// There is a hull, with or without remarks.
     bool accepted() const { return error == HullError::none; }
 
     /// One line for people: the refusal, or the remarks, or "ok".

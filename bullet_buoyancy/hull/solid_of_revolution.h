@@ -11,9 +11,13 @@ namespace bullet_buoyancy {
 /// A stretch of a solid's axis over which the squared radius is a quadratic of the axial coordinate:
 /// cylinder, cone and zone of a sphere alike.
 struct ProfilePiece {
-    double begin, end;  ///< axial coordinates, m
-    double c0, c1, c2;  ///< radius^2 = c0 + c1 x + c2 x^2, m^2
+    double begin;  ///< axial coordinate, m
+    double end;    ///< likewise, above `begin`
+    double c0;     ///< radius^2 = c0 + c1 x + c2 x^2, m^2
+    double c1;     ///< m
+    double c2;     ///< 1: -1 of a sphere, 0 of a cylinder, above 0 of a cone
 
+    /// At the axial coordinate x (m), m^2.
     double radiusSquared(double x) const { return c0 + x * (c1 + x * c2); }
 
     /// r ds/dx with s the arc length of the profile, m: sqrt(r^2 + (r dr/dx)^2), smooth even where r goes to
@@ -26,7 +30,8 @@ struct ProfilePiece {
 
 /// Integrals of radius^2 and of x radius^2 over a stretch of a piece, m^3 and m^4.
 struct RadiusMoments {
-    double zeroth, first;
+    double zeroth;  ///< m^3: the volume over pi
+    double first;   ///< m^4
 };
 
 /// About the middle of the stretch, where the large coefficients of a steep cone do not cancel.
@@ -39,9 +44,9 @@ inline RadiusMoments radiusMoments(const ProfilePiece& piece, double from, doubl
 /// A closed solid with circular sections about an axis. Pieces follow one another along the axis, meet with
 /// equal radii, and end in flat discs or in points.
 struct SolidOfRevolution {
-    Vec3 origin = Vec3::Zero();  ///< point of the axis where the axial coordinate is 0, body frame, m
-    Vec3 axis = Vec3::UnitX();   ///< unit length, body frame
-    std::vector<ProfilePiece> profile;
+    Vec3 origin = Vec3::Zero();         ///< point of the axis where the axial coordinate is 0, body frame, m
+    Vec3 axis = Vec3::UnitX();          ///< unit length, body frame
+    std::vector<ProfilePiece> profile;  ///< along the axis, none empty
 };
 
 /// A cylinder about its centre.
@@ -57,6 +62,7 @@ SolidOfRevolution makeTaperedCapsule(const Vec3& centreA, double radiusA, const 
 /// A sphere about the body's x axis.
 SolidOfRevolution asSolidOfRevolution(const Sphere& sphere);
 
+/// In closed form.
 VolumeMoments volumeMoments(const SolidOfRevolution& solid);
 
 /// m^2, flat ends included.

@@ -4,11 +4,13 @@
 
 namespace bullet_buoyancy {
 
+/// A ball.
 struct Sphere {
     Vec3 centre = Vec3::Zero();  ///< in the body's frame, m
     double radius = 0;           ///< m
 };
 
+/// In closed form.
 VolumeMoments volumeMoments(const Sphere& sphere);
 
 /// m^2

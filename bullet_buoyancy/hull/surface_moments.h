@@ -23,9 +23,11 @@ struct SurfaceMoments {
     /// moment of any section of a convex body about that axis.
     Vec3 largestSecondMoments() const;
 
+    /// Of both surfaces.
     SurfaceMoments& operator+=(const SurfaceMoments& other);
 };
 
+/// Exact: triangle by triangle, about the origin of the mesh's frame.
 SurfaceMoments surfaceMoments(const TriangleMesh& mesh);
 
 }  // namespace bullet_buoyancy

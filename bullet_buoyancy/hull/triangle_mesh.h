@@ -8,6 +8,7 @@
 
 namespace bullet_buoyancy {
 
+/// Indices of three vertices.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Indexed triangles in a body's frame. Counter-clockwise seen from outside: (b - a) x (c - a) points into

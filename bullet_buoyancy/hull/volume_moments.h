@@ -10,8 +10,10 @@ struct VolumeMoments {
     Vec3 firstMoment = Vec3::Zero();   ///< integral of the position over the volume, m^4
     Mat3 secondMoment = Mat3::Zero();  ///< integral of r r^T over the volume, r the position, m^5
 
+    /// m; the volume must not be zero.
     Vec3 centroid() const { return firstMoment / volume; }
 
+    /// Of both solids: what they have in common counts twice.
     VolumeMoments& operator+=(const VolumeMoments& other) {
         volume += other.volume;
         firstMoment += other.firstMoment;

@@ -19,21 +19,22 @@ enum class Precision {
 
 /// What to evaluate. The extras cost only where asked for.
 struct HydrostaticQuery {
-    double gravity = standardGravity;  ///< along the water frame's down, m/s^2
-    double time = 0;                   ///< s, for water that moves
-    PressureModel pressure = PressureModel::hydrostatic;
+    double gravity = standardGravity;                     ///< along the water frame's down, m/s^2
+    double time = 0;                                      ///< s, for water that moves
+    PressureModel pressure = PressureModel::hydrostatic;  ///< in waves; the same in flat water
 
     /// Error of the force that waves may cause, over the weight of water that the whole hull displaces. 0:
     /// the surface is sampled at every vertex of the mesh, and taken for linear in between. Flat water is
     /// exact.
     double tolerance = 1e-3;
 
-    Precision precision = Precision::full;
+    Precision precision = Precision::full;  ///< where triangles are summed up under a plane of water
 
-    bool wettedArea = false;
-    bool waterplane = false;
-    bool stiffness = false;
+    bool wettedArea = false;  ///< extra: of the hull's surface under water
+    bool waterplane = false;  ///< extra: area and moments of the section at the surface
+    bool stiffness = false;   ///< extra: how force and torque answer to a displacement
 
+    /// For itself, or for the stiffness.
     bool needsWaterplane() const { return waterplane || stiffness; }
 };
 

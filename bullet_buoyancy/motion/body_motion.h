@@ -15,6 +15,7 @@ enum class StepScheme {
     published,
 };
 
+/// Between two poses.
 inline Turning turningOf(const Inertia& inertia, StepScheme scheme) {
     return inertia.turnsFreely && scheme == StepScheme::guarded ? Turning::byMomentum : Turning::atSpin;
 }

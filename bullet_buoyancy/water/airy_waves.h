@@ -8,6 +8,7 @@
 
 namespace bullet_buoyancy {
 
+/// Which waves run on what water.
 struct AiryWavesDef {
     std::vector<WaveComponent> components;                   ///< of any number and directions
     double depth = std::numeric_limits<double>::infinity();  ///< of the still water, m; above zero
@@ -22,8 +23,10 @@ struct AiryWavesDef {
 /// is that of the surface; below the bed the velocity is that of the bed.
 class AiryWaves final : public WaterField {
 public:
+    /// Refused waves are flat water at rest: see `status`.
     AiryWaves(const WaterFrame& frame, const AiryWavesDef& def);
 
+    /// Whether the waves were accepted, and if not, why.
     const WaterStatus& status() const { return m_status; }
 
     WaterBounds bounds() const override { return m_bounds; }

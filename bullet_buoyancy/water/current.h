@@ -22,8 +22,10 @@ struct CurrentDef {
 /// profile hangs from their surface.
 class Current final : public WaterField {
 public:
+    /// A refused current is flat water at rest: see `status`.
     Current(const WaterFrame& frame, const CurrentDef& def);
 
+    /// Whether the current was accepted, and if not, why.
     const WaterStatus& status() const { return m_status; }
 
     WaterBounds bounds() const override;

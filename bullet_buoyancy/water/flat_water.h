@@ -5,6 +5,7 @@
 
 namespace bullet_buoyancy {
 
+/// What flat water is like; still fresh water by default.
 struct FlatWaterDef {
     double density = freshWaterDensity;     ///< kg/m^3
     Vec3 flowVelocityWorld = Vec3::Zero();  ///< uniform current, world axes, m/s
@@ -13,6 +14,7 @@ struct FlatWaterDef {
 /// Water whose surface is the plane z = 0 of its frame, at rest or in a uniform current.
 class FlatWater final : public WaterField {
 public:
+    /// Density as of `WaterField`; the current must be finite: asserted.
     explicit FlatWater(const WaterFrame& frame, const FlatWaterDef& def = {});
 
     WaterBounds bounds() const override;

@@ -7,6 +7,7 @@
 
 namespace bullet_buoyancy {
 
+/// The functions, and what holds of them.
 struct FunctionWaterDef {
     /// Elevation (m) and its slopes along x and y at x, y (m) and time (s), in the water's frame; not null.
     std::function<Eigen::Array3d(double x, double y, double time)> surface;
@@ -21,6 +22,7 @@ struct FunctionWaterDef {
 /// hydrostatic.
 class FunctionWater final : public WaterField {
 public:
+    /// `def.surface` must not be null: asserted.
     FunctionWater(const WaterFrame& frame, const FunctionWaterDef& def);
 
     WaterBounds bounds() const override { return m_def.bounds; }

@@ -7,6 +7,7 @@
 
 namespace bullet_buoyancy {
 
+/// Which waves run, on deep water.
 struct GerstnerWavesDef {
     std::vector<WaveComponent> components;  ///< steepness, the sum of amplitude * wavenumber: below 1
     double density = freshWaterDensity;     ///< kg/m^3
@@ -22,8 +23,10 @@ struct GerstnerWavesDef {
 /// e^(wavenumber * b) with the height b at which it rests: exact for one wave.
 class GerstnerWaves final : public WaterField {
 public:
+    /// Refused waves are flat water at rest: see `status`.
     GerstnerWaves(const WaterFrame& frame, const GerstnerWavesDef& def);
 
+    /// Whether the waves were accepted, and if not, why.
     const WaterStatus& status() const { return m_status; }
 
     /// Sum of amplitude times wavenumber.

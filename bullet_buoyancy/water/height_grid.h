@@ -8,8 +8,10 @@
 
 namespace bullet_buoyancy {
 
+/// Where the nodes of a grid lie.
 struct HeightGridDef {
-    int nodesX = 0, nodesY = 0;  ///< at least two each
+    int nodesX = 0;              ///< along the frame's x; at least two
+    int nodesY = 0;              ///< along its y; at least two
     double spacing = 1;          ///< between nodes, m; above zero
     Vec2 origin = Vec2::Zero();  ///< where node (0, 0) is in the water's frame, m
     bool periodic = false;  ///< repeats after `nodesX` and `nodesY` spacings; else level beyond its edges
@@ -27,12 +29,14 @@ public:
     /// Flat until it is given heights.
     HeightGrid(const WaterFrame& frame, const HeightGridDef& def);
 
+    /// Whether the grid was accepted, and if not, why: a refused one is flat and takes no heights.
     const WaterStatus& status() const { return m_status; }
 
     /// Copies heights (m) and, if not null, their rates of change (m/s): `nodesX` times `nodesY` each, that
     /// of node (x, y) at x + y * nodesX. Not while another thread samples. Heights that are not finite are
     /// refused and change nothing. Costs about 0.1 microseconds a node.
     WaterStatus setHeights(const double* heights, const double* rates = nullptr);
+    /// The same of single precision.
     WaterStatus setHeights(const float* heights, const float* rates = nullptr);
 
     WaterBounds bounds() const override { return m_bounds; }

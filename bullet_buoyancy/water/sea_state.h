@@ -11,12 +11,12 @@ namespace bullet_buoyancy {
 
 /// A sea as sailors and forecasts describe it.
 struct SeaStateDef {
-    WaveSpectrum spectrum;
-    double direction = 0;  ///< mean way the waves travel: from the frame's x towards its y, rad
+    WaveSpectrum spectrum;  ///< height, period and peakedness
+    double direction = 0;   ///< mean way the waves travel: from the frame's x towards its y, rad
     /// s of cos^2s(angle / 2) about the mean direction (Longuet-Higgins et al. 1963): some 10 in wind seas,
     /// 25 to 75 in swell, infinite where all crests are parallel; not negative.
     double spreading = std::numeric_limits<double>::infinity();
-    WaterDepth water;
+    WaterDepth water;     ///< gives the wavelengths; make the `AiryWaves` of the same depth
     int components = 64;  ///< above zero
     /// Frequencies run from half that of the peak to this times it: the tail left out beyond 4 has 0.4 % of
     /// the energy, which is given to the others. Above 1. Lower it for smoother or less steep seas.
@@ -24,6 +24,7 @@ struct SeaStateDef {
     std::uint64_t seed = 1;  ///< of the random phases, directions and frequencies
 };
 
+/// The waves of one sea.
 struct SeaState {
     std::vector<WaveComponent> components;  ///< for `AiryWaves`, or for `GerstnerWaves` if not too steep
     WaterStatus status;                     ///< refused: there are no components

@@ -19,6 +19,7 @@ struct WaterBounds {
     double curvatureChangeGrowth = 0;
     bool still = true;  ///< no water moves: bodies at rest may sleep
 
+    /// The surface is a plane z = const, at any time.
     bool isFlat() const { return slope == 0 && curvature == 0; }
 };
 
@@ -41,11 +42,13 @@ class WaterField {
 public:
     virtual ~WaterField() = default;
 
+    /// In which points and results are given.
     const WaterFrame& frame() const { return m_frame; }
 
     /// kg/m^3
     double density() const { return m_density; }
 
+    /// Asked for once a step and once an evaluation: cheap. They may change between steps (`HeightGrid`).
     virtual WaterBounds bounds() const = 0;
 
     /// Surface elevation and slopes at `points` at `time` (s). Both batches have the same number of rows.
@@ -79,8 +82,8 @@ protected:
     /// `density` in kg/m^3, finite and above zero: asserted.
     WaterField(const WaterFrame& frame, double density);
 
-    WaterField(const WaterField&) = default;
-    WaterField& operator=(const WaterField&) = default;
+    WaterField(const WaterField&) = default;             ///< for fields that are values
+    WaterField& operator=(const WaterField&) = default;  ///< likewise
 
 private:
     WaterFrame m_frame;

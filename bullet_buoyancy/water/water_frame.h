@@ -18,8 +18,11 @@ public:
     /// The frame's x axis is the world axis that is most nearly horizontal, made horizontal.
     static WaterFrame fromUp(const Vec3& originWorld, const Vec3& upWorld);
 
+    /// The point of the world that has the frame's coordinates 0, m.
     const Vec3& originWorld() const { return m_originWorld; }
+    /// Turns directions: its columns are the frame's axes in the world.
     const Mat3& worldFromFrame() const { return m_worldFromFrame; }
+    /// The frame's z, against gravity, unit length.
     Vec3 upWorld() const { return m_worldFromFrame.col(2); }
 
     /// A point of the world in the frame's coordinates.

@@ -4,8 +4,9 @@
 
 namespace bullet_buoyancy {
 
+/// Why a water field or sea state was refused.
 enum class WaterError {
-    none,
+    none,          ///< it was not
     notFinite,     ///< a number is NaN or infinite where it must not be
     badDepth,      ///< depth or gravity not above zero
     badComponent,  ///< a wave component with a negative amplitude or without a length
@@ -17,10 +18,12 @@ enum class WaterError {
 
 /// Why a water field was refused. A refused field is flat water at rest.
 struct WaterStatus {
-    WaterError error = WaterError::none;
-    double steepness = 0;  ///< of Gerstner waves: sum of amplitude times wavenumber
+    WaterError error = WaterError::none;  ///< why
+    double steepness = 0;                 ///< of Gerstner waves: sum of amplitude times wavenumber
 
+    /// The field is what it was asked to be.
     bool accepted() const { return error == WaterError::none; }
+    /// As `accepted`.
     explicit operator bool() const { return accepted(); }
 
     /// One line for people: the refusal, or "ok".

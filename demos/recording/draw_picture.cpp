@@ -126,16 +126,18 @@ struct Extent {
     std::vector<Vec3> points;
 };
 
-const Pose* poseIn(const FilmedBody& body, std::size_t frame) {
-    const bool seen = frame >= body.firstFrame && frame - body.firstFrame < body.poses.size();
-    return seen ? &body.poses[frame - body.firstFrame] : nullptr;
+/// Null where the body is not seen.
+const Pose* poseIn(const Film& film, const FilmedBody& body, std::size_t frame) {
+    if (frame < body.firstFrame || frame - body.firstFrame >= body.poses.size()) return nullptr;
+    const Pose& pose = body.poses[frame - body.firstFrame];
+    return film.isOnStage(body, pose) ? &pose : nullptr;
 }
 
 Extent extentOf(const Film& film, std::size_t frame) {
     Extent extent;
     const double stage = film.stage().reach.norm();
     for (const FilmedBody& body : film.bodies()) {
-        const Pose* pose = poseIn(body, frame);
+        const Pose* pose = poseIn(film, body, frame);
         if (!pose || (stage > 0 && body.hull->bounds.radius > stage)) continue;
         const Vec3 centre = pose->position + pose->orientation * body.hull->bounds.centre;
         const Vec3 half = pose->worldFromBody().cwiseAbs() * body.hull->halfExtents;
@@ -180,7 +182,7 @@ std::string sceneOf(const Film& film, std::size_t frame) {
     Extent extent = extentOf(film, frame);
     std::ostringstream objects;
     for (const FilmedBody& body : film.bodies())
-        if (const Pose* pose = poseIn(body, frame)) writeBody(objects, body, *pose);
+        if (const Pose* pose = poseIn(film, body, frame)) writeBody(objects, body, *pose);
     if (!film.surfaces().empty()) {
         const double depth = std::max(0.2 * extent.size, -1.15 * extent.deepest);
         const Block block = cutBlock(film, film.surfaces()[frame], -depth);

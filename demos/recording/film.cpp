@@ -77,6 +77,12 @@ Vec3 Film::waterNode(int index) const {
     return {place.x(), 0, -place.y()};
 }
 
+bool Film::isOnStage(const FilmedBody& body, const Pose& pose) const {
+    const Vec2 off(pose.position.x() - m_stage.centre.x(), pose.position.z() + m_stage.centre.y());
+    const Vec2 reach = m_stage.reach + Vec2::Constant(body.hull->bounds.radius);
+    return m_stage.reach.isZero() || (off.cwiseAbs().array() < reach.array()).all();
+}
+
 std::size_t Film::frameAt(double time) const {
     const auto nearest = std::min_element(m_times.begin(), m_times.end(), [&](double a, double b) {
         return std::abs(a - time) < std::abs(b - time);

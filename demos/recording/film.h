@@ -44,8 +44,8 @@ struct Stage {
 /// frame's x and y, a row a node.
 using FilmedSurface = Eigen::Array<float, Eigen::Dynamic, 3>;
 
-/// A scene over time: its bodies, and the surface of the water. Film axes: x and z horizontal, y up, from the
-/// origin of the water's frame.
+/// A scene over time: its bodies, as long as they are on the stage, and the surface of the water. Film axes:
+/// x and z horizontal, y up, from the origin of the water's frame.
 class Film {
 public:
     static constexpr int waterNodes = 49;  ///< of the surface along either side
@@ -78,6 +78,9 @@ public:
 
     /// Node `index` of the surface when it is flat, in the film's axes.
     Vec3 waterNode(int index) const;
+
+    /// Whether there is water to be seen about a body at a pose of the film; where no water is, always.
+    bool isOnStage(const FilmedBody& body, const Pose& pose) const;
 
     /// The frame nearest to a time. There must be one.
     std::size_t frameAt(double time) const;

@@ -15,7 +15,7 @@ const btRigidBody* rigidBody(const btCollisionObject* object) {
 
 /// A rectangle about the bodies that move, with some water around them.
 Stage stageOf(const WorldView& view) {
-    constexpr double around = 1, roomBeside = 0.5, narrowest = 0.4;
+    constexpr double around = 1.1, roomBeside = 0.5, narrowest = 0.4;
     const WaterFrame& frame = view.water.frame();
     Vec2 low = Vec2::Constant(1e9), high = -low;
     double largest = 0;

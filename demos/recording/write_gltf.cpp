@@ -142,14 +142,17 @@ void GltfWriter::addChannel(int node, const char* path, const Numbers& keys, int
     m_animation.channels.push_back(channel);
 }
 
-/// Before it comes and after it went a body has no size.
+/// Where it is not seen a body has no size.
 void GltfWriter::addPresence(int node, const FilmedBody& body) {
-    const std::size_t frames = m_film.times().size(), end = body.firstFrame + body.poses.size();
-    if (body.firstFrame == 0 && end == frames) return;
     Numbers scales;
-    for (std::size_t i = 0; i < frames; ++i)
-        append(scales, Vec3::Constant(i >= body.firstFrame && i < end ? 1 : 0));
-    addChannel(node, "scale", scales, TINYGLTF_TYPE_VEC3, true);
+    bool comesOrGoes = false;
+    for (std::size_t i = 0; i < m_film.times().size(); ++i) {
+        const bool isThere = i >= body.firstFrame && i - body.firstFrame < body.poses.size() &&
+                             m_film.isOnStage(body, body.poses[i - body.firstFrame]);
+        append(scales, Vec3::Constant(isThere ? 1 : 0));
+        comesOrGoes = comesOrGoes || !isThere;
+    }
+    if (comesOrGoes) addChannel(node, "scale", scales, TINYGLTF_TYPE_VEC3, true);
 }
 
 /// What its values are in frame `i`, where it is seen, and the nearest of them elsewhere.

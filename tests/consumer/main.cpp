@@ -29,7 +29,7 @@ int main() {
     auto crate = std::make_unique<btRigidBody>(mass, nullptr, &box, inertia);
     world->addRigidBody(crate.get());
 
-    // [readme: begin]
+    // [snippet]
     bullet_buoyancy::FlatWater sea(bullet_buoyancy::WaterFrame::yUp());  // or zUp(), or any origin and up
     bullet_buoyancy::BuoyancyAction buoyancy(sea);  // one action floats any number of bodies
     const auto status = buoyancy.addBody(*crate);   // its hull is read from its collision shape
@@ -41,7 +41,7 @@ int main() {
 
     const auto& report = buoyancy.report(*crate);
     std::printf("%.3f m^3 under water\n", report.submergedVolume);
-    // [readme: end]
+    // [end]
 
     const double draft = 0.5 - double(crate->getWorldTransform().getOrigin().y());
     std::printf("draft: %.4f m\n", draft);

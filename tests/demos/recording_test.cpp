@@ -233,6 +233,22 @@ TEST(Recording, WhatComesAndGoesHasNoSizeMeanwhile) {
     EXPECT_EQ(file->channel("whole")->mPositionKeys[5].mValue.x, 5);
 }
 
+TEST(Recording, WhatLeavesTheWaterIsNotSeen) {
+    const FlatWater water(WaterFrame::zUp());
+    Film film(FilmDef(), water.frame(), {Vec2(1, 4), Vec2(3, 2)});
+    const std::size_t body = film.addBody("cube", Look::wood, unitCube());
+    for (int frame = 0; frame < 7; ++frame) {
+        film.beginFrame(frame, water);
+        film.show(body, at(Vec3(frame, 4, 0)));
+    }
+    const auto file = written(film, "leaving");
+    const aiNodeAnim& channel = *file->channel("cube");
+    ASSERT_EQ(channel.mNumScalingKeys, 7U);
+    // The water ends at x = 4; the cube reaches to sqrt(3) / 2 about its centre.
+    for (unsigned frame = 0; frame < 7; ++frame)
+        EXPECT_EQ(channel.mScalingKeys[frame].mValue.x, frame < 5 ? 1 : 0);
+}
+
 /// Up is y in the file, whatever it is in the world.
 TEST(Recording, UpIsUp) {
     const Vec3 origin(100, 20, 3);
