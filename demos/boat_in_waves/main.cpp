@@ -68,11 +68,12 @@ bool write(const Options& options, const Boat& boat, Sea& sea, const Voyage& voy
 
 /// Films it, where that is wanted, and tells how far it is.
 Voyage sail(const Options& options, const Boat& boat, Sea& sea, recording::WorldFilm& film) {
-    Progress progress(options.voyage.duration, "s");
-    return scenes::sail(boat, sea, options.voyage, [&](const BoatInWaves& scene) {
-        progress.reach(scene.time());
+    const double settling = options.voyage.settling;
+    Progress progress(settling + options.voyage.duration, "s");
+    return scenes::sail(boat, sea, options.voyage, [&](const BoatInWaves& scene, bool isRecorded) {
         progress.countStep(options.voyage.step);
-        if (options.film.isWanted())
+        progress.reach(settling + scene.time());
+        if (isRecorded && options.film.isWanted())
             film.look({scene.world(), sea.water(), scene.time(),
                        [&](const btRigidBody&) { return scene.report(); }});
     });

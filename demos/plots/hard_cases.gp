@@ -6,7 +6,7 @@
 set datafile separator comma
 set datafile columnheaders
 upTo(s, mark) = strstrt(s, mark) > 0 ? s[1:strstrt(s, mark) - 1] : s
-family(group) = upTo(upTo(group, '/'), ',')
+family(group) = upTo(upTo(upTo(group, '/ratio'), '/1/'), ',')
 array families[100]
 count = 0
 rowOf(f) = count == 0 ? 0 : sum [k = 1:count] (families[k] eq f ? k : 0)

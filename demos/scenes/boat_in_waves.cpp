@@ -117,7 +117,7 @@ VoyageSample BoatInWaves::sample() const {
 }
 
 Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def,
-            const std::function<void(const BoatInWaves&)>& look) {
+            const std::function<void(const BoatInWaves&, bool)>& look) {
     using Clock = std::chrono::steady_clock;
     BoatInWaves scene(boat, sea, def);
     const long settling = std::lround(def.settling / def.step), steps = std::lround(def.duration / def.step);
@@ -128,9 +128,9 @@ Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def,
     for (long i = -settling; i < steps && scene.mishap() == Mishap::none && !isInterrupted(); ++i) {
         scene.step();
         ++taken;
-        if (i < 0) continue;
-        voyage.samples.push_back(scene.sample());
-        look(scene);
+        const bool isRecorded = i >= 0;
+        if (isRecorded) voyage.samples.push_back(scene.sample());
+        look(scene, isRecorded);
     }
     voyage.mishap = scene.mishap();
     voyage.clockPerStep = std::chrono::duration<double>(Clock::now() - start).count() / double(taken);

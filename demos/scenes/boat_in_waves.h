@@ -97,10 +97,10 @@ private:
     std::unique_ptr<btRigidBody> m_body;
 };
 
-/// `look` is called after each step of the record.
+/// `look` is called after each step, and told whether that is of the record.
 Voyage sail(
     const Boat& boat, Sea& sea, const VoyageDef& def,
-    const std::function<void(const BoatInWaves&)>& look = [](const BoatInWaves&) {});
+    const std::function<void(const BoatInWaves&, bool)>& look = [](const BoatInWaves&, bool) {});
 
 /// One column of a record.
 std::vector<double> series(const Voyage& voyage, double VoyageSample::*quantity);
