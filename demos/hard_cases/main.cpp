@@ -56,6 +56,14 @@ bool film(const std::vector<HardCase>& cases, const Options& options) {
     return writeFilm(film.film(), options.film, "hard_cases");
 }
 
+/// Those that were run: a case's quantities stand next to each other.
+std::size_t casesOf(const std::vector<Score>& scores) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        count += i == 0 || scores[i].group != scores[i - 1].group || scores[i].name != scores[i - 1].name;
+    return count;
+}
+
 int run(const Options& options) {
     const std::vector<HardCase> cases = select(options);
     if (options.list) {
@@ -74,8 +82,8 @@ int run(const Options& options) {
         return std::count_if(scores.begin(), scores.end(),
                              [&](const Score& score) { return !(score.*side).passes(); });
     };
-    std::printf("\n%zu cases, %zu quantities: peers' way fails %td, ours %td.\n", cases.size(), scores.size(),
-                failures(&Score::peers), failures(&Score::ours));
+    std::printf("\n%zu cases, %zu quantities: peers' way fails %td, ours %td.\n", casesOf(scores),
+                scores.size(), failures(&Score::peers), failures(&Score::ours));
     const plots::Table table{"scores", [&](std::ostream& csv) { writeCsv(csv, scores); }};
     if (!options.csv.empty() && !writeTable(table, "hard_cases", options.csv)) return 1;
     if (!options.plot.empty() && !scores.empty() && !plots::drawPlot("hard_cases", {table}, options.plot))

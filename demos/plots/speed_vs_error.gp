@@ -6,10 +6,9 @@ height = 900
 load 'style.gp'
 
 # The first and the last water, in each the simplest hull and the finest mesh that both know.
-sea = ''; flat = ''; hull = ''; triangles = 0
+sea = ''; flat = ''; hull = ''; triangles = 0; finest = 0
 stats rows using (sea = strcol('water'), flat eq '' ? (flat = sea, hull = strcol('hull'), triangles = column('triangles')) : 0) nooutput
-stats rows using (strcol('water') eq sea && strcol('hull') eq 'mesh' ? column('triangles') : NaN) nooutput
-finest = STATS_max
+stats rows using (strcol('water') eq sea && strcol('hull') eq 'mesh' && column('triangles') > finest ? (finest = column('triangles'), 0) : 0) nooutput
 
 # Families of evaluators: name, colour, point: those of the library, and what games take (open: in float).
 array name[9] = ['exact', 'batch', 'batch in float', 'clustered', 'clustered in float', 'closed form in float', 'centroids', 'pontoons', 'voxels']
@@ -25,8 +24,10 @@ set format xy '10^{%L}'
 set grid
 unset key
 
-do for [row = 1:2] {
-    do for [col = 1:2] {
+waters = flat eq sea ? 1 : 2
+hulls = finest > 0 ? 2 : 1
+do for [row = 1:waters] {
+    do for [col = 1:hulls] {
         w = row == 1 ? flat : sea
         h = col == 1 ? hull : 'mesh'
         n = col == 1 ? triangles : finest
@@ -35,7 +36,8 @@ do for [row = 1:2] {
         heading = w
         subheading = h.' of '.sprintf('%.0f', n).' triangles'.(row == 1 ? '' : '; alone: tolerance 0')
         load 'panel.gp'
-        if (row == 1) { set xrange [1e-17:1]; set xtics 1e4; set xlabel '' } else { set xrange [1e-7:1]; set xtics 10; set xlabel 'force error / weight of displacement, median' }
+        if (row == 1) { set xrange [1e-17:1]; set xtics 1e4 } else { set xrange [1e-7:1]; set xtics 10 }
+        set xlabel (row < waters ? '' : 'force error / weight of displacement, median')
         if (col == 1) { set ylabel 'time of an evaluation (ns)' } else { set ylabel '' }
         # A tolerance of 0 is not the limit of small ones, and stands alone.
         plot for [i = 1:9] rows using (isOf(w, h, n, i) && strcol('tolerance') ne '0' ? shownError(column('median_force_error')) : NaN):'ns_a_body' with linespoints pt point[i] ps 1.3 lw 2 lc rgb colour[i], \
