@@ -1,12 +1,15 @@
 #include <cstdio>
 #include <optional>
 
+#include "boat_in_waves/moments.h"
 #include "boat_in_waves/options.h"
-#include "boat_in_waves/plot.h"
 #include "boat_in_waves/read_mesh.h"
 #include "boat_in_waves/responses.h"
 #include "boat_in_waves/summary.h"
+#include "plots/draw_plot.h"
 #include "recording/world_film.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 
 namespace bullet_buoyancy::demo {
 namespace {
@@ -50,13 +53,30 @@ const char* describe(Mishap mishap) {
     return "";
 }
 
-bool write(const Options& options, const Voyage& voyage, const Responses& responses, const Sea& sea) {
-    const auto wrote = [](bool done, const std::string& file) {
-        if (!done) std::fprintf(stderr, "boat_in_waves: cannot write %s\n", file.c_str());
-        return done;
+bool write(const Options& options, const Boat& boat, Sea& sea, const Voyage& voyage,
+           const Responses& responses) {
+    const plots::Table series{"series", [&](std::ostream& csv) { writeSeries(csv, voyage); }};
+    const plots::Table spectra{"spectra", [&](std::ostream& csv) { writeSpectra(csv, responses, sea); }};
+    const plots::Table moments{"moments", [&](std::ostream& csv) { writeMoments(csv, boat, sea, voyage); }};
+    const auto wrote = [](const plots::Table& table, const std::string& file) {
+        return file.empty() || writeTable(table, "boat_in_waves", file);
     };
-    return (options.csv.empty() || wrote(writeSeries(voyage, options.csv), options.csv)) &&
-           (options.spectra.empty() || wrote(writeSpectra(responses, sea, options.spectra), options.spectra));
+    return wrote(series, options.csv) && wrote(spectra, options.spectra) && wrote(moments, options.moments) &&
+           (options.plot.empty() ||
+            plots::drawPlot("boat_in_waves", {series, spectra, moments}, options.plot));
+}
+
+/// Films it, where that is wanted, and tells how far it is.
+Voyage sail(const Options& options, const Boat& boat, Sea& sea, recording::WorldFilm& film) {
+    const double settling = options.voyage.settling;
+    Progress progress(settling + options.voyage.duration, "s");
+    return scenes::sail(boat, sea, options.voyage, [&](const BoatInWaves& scene, bool isRecorded) {
+        progress.countStep(options.voyage.step);
+        progress.reach(settling + scene.time());
+        if (isRecorded && options.film.isWanted())
+            film.look({scene.world(), sea.water(), scene.time(),
+                       [&](const btRigidBody&) { return scene.report(); }});
+    });
 }
 
 int run(const Options& options) {
@@ -75,20 +95,17 @@ int run(const Options& options) {
         return recording::Cast{"boat", recording::Look::red, boat.hull};
     };
     recording::WorldFilm film(options.film.film, cast);
-    const Voyage voyage = sail(boat, sea, options.voyage, [&](const BoatInWaves& scene) {
-        if (options.film.isWanted())
-            film.look({scene.world(), sea.water(), scene.time(),
-                       [&](const btRigidBody&) { return scene.report(); }});
-    });
+    const Voyage voyage = sail(options, boat, sea, film);
     if (voyage.mishap != Mishap::none) {
         std::fprintf(stderr, "boat_in_waves: %s after %zu steps of the record\n", describe(voyage.mishap),
                      voyage.samples.size());
         return 1;
     }
+    constexpr std::size_t fewest = 4;  // samples that have a spectrum
+    if (voyage.samples.size() < fewest) return 1;
     const Responses responses = respond(voyage, options.voyage.step, options.sea.period);
     printSummary(options, boat, sea, voyage, responses);
-    if (!write(options, voyage, responses, sea)) return 1;
-    if (!options.plot.empty() && !plot({boat, sea, voyage, responses}, options.plot)) return 1;
+    if (!write(options, boat, sea, voyage, responses)) return 1;
     if (options.film.isWanted() && !writeFilm(film.film(), options.film, "boat_in_waves")) return 1;
     return 0;
 }
@@ -99,5 +116,7 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     int exitStatus = 0;
     const auto options = bullet_buoyancy::demo::parseOptions(argc, argv, exitStatus);
-    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+    if (!options) return exitStatus;
+    return bullet_buoyancy::scenes::runInterruptibly("boat_in_waves",
+                                                     [&] { return bullet_buoyancy::demo::run(*options); });
 }

@@ -97,6 +97,8 @@ void addRun(CLI::App& app, Options& options) {
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--csv", options.csv, "write the time series to this file");
     app.add_option("--spectra", options.spectra, "write the spectra to this file");
+    app.add_option("--moments", options.moments,
+                   "write the boat and the water, at four moments of the highest waves, to this file");
     app.add_option("--plot", options.plot, "draw motions and spectra into this .png or .svg file")
         ->check(scenes::isPicture);
 }

@@ -18,7 +18,7 @@ struct Options {
     std::string hull;          ///< file of another hull; empty: the Wigley hull
     double ratio = 0.4;        ///< of the file's hull: displacement at rest over volume
     bool drifts = false;
-    std::string csv, spectra, plot;  ///< files; empty: none
+    std::string csv, spectra, moments, plot;  ///< files; empty: none
     recording::FilmOptions film;
 };
 

@@ -1,7 +1,7 @@
 #include "boat_in_waves/responses.h"
 
 #include <algorithm>
-#include <fstream>
+#include <ostream>
 
 namespace bullet_buoyancy::demo {
 
@@ -37,21 +37,16 @@ Effort effortOf(const Voyage& voyage) {
     return {sum / double(voyage.samples.size()), most, bounds[bounds.size() / 2], bounds.back()};
 }
 
-bool writeSeries(const Voyage& voyage, const std::string& file) {
-    std::ofstream csv(file);
-    csv.precision(9);
-    csv << "time_s,elevation_m,heave_m,roll_deg,pitch_deg,yaw_deg,surge_m,sway_m,water_samples,"
+void writeSeries(std::ostream& csv, const Voyage& voyage) {
+    csv << "time_s,elevation_m,slope_deg,heave_m,roll_deg,pitch_deg,yaw_deg,surge_m,sway_m,water_samples,"
            "error_bound_over_weight\n";
     for (const VoyageSample& s : voyage.samples)
-        csv << s.time << ',' << s.elevation << ',' << s.heave << ',' << s.roll * degrees << ','
-            << s.pitch * degrees << ',' << s.yaw * degrees << ',' << s.surge << ',' << s.sway << ','
-            << s.waterSamples << ',' << s.errorBound << '\n';
-    return bool(csv.flush());
+        csv << s.time << ',' << s.elevation << ',' << s.slope * degrees << ',' << s.heave << ','
+            << s.roll * degrees << ',' << s.pitch * degrees << ',' << s.yaw * degrees << ',' << s.surge << ','
+            << s.sway << ',' << s.waterSamples << ',' << s.errorBound << '\n';
 }
 
-bool writeSpectra(const Responses& responses, const Sea& sea, const std::string& file) {
-    std::ofstream csv(file);
-    csv.precision(9);
+void writeSpectra(std::ostream& csv, const Responses& responses, const Sea& sea) {
     csv << "frequency_hz,elevation_m2_per_hz,asked_m2_per_hz,heave_m2_per_hz,pitch_deg2_per_hz,"
            "roll_deg2_per_hz\n";
     const Spectrum& elevation = responses.elevation.spectrum;
@@ -60,7 +55,6 @@ bool writeSpectra(const Responses& responses, const Sea& sea, const std::string&
             << sea.spectralDensity(elevation.frequency(i)) << ',' << responses.heave.spectrum.density[i]
             << ',' << responses.pitch.spectrum.density[i] << ',' << responses.roll.spectrum.density[i]
             << '\n';
-    return bool(csv.flush());
 }
 
 }  // namespace bullet_buoyancy::demo

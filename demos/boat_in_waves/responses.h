@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <iosfwd>
 #include <vector>
 
 #include "scenes/boat_in_waves.h"
@@ -32,8 +32,8 @@ struct Effort {
 
 Effort effortOf(const scenes::Voyage& voyage);
 
-/// Write CSV files; false if that fails.
-bool writeSeries(const scenes::Voyage& voyage, const std::string& file);
-bool writeSpectra(const Responses& responses, const scenes::Sea& sea, const std::string& file);
+/// Write CSV.
+void writeSeries(std::ostream& csv, const scenes::Voyage& voyage);
+void writeSpectra(std::ostream& csv, const Responses& responses, const scenes::Sea& sea);
 
 }  // namespace bullet_buoyancy::demo

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 
 namespace bullet_buoyancy::demo {
 
@@ -34,16 +34,13 @@ void printWorst(const std::vector<Table>& tables) {
                 allPass(tables) ? "All within tolerance." : "Some deviations are past their tolerance.");
 }
 
-bool writeCsv(const std::vector<Table>& tables, const std::string& file) {
-    std::ofstream csv(file);
-    csv.precision(9);
+void writeCsv(std::ostream& csv, const std::vector<Table>& tables) {
     csv << "table,quantity,unit,simulated,expected,deviation,tolerance,passes\n";
     for (const Table& table : tables)
         for (const Comparison& row : table.rows)
             csv << '"' << table.title << "\",\"" << row.what << "\"," << row.unit << ',' << row.simulated
                 << ',' << row.expected << ',' << row.deviation() << ',' << row.tolerance << ','
                 << row.passes() << '\n';
-    return bool(csv.flush());
 }
 
 bool allPass(const std::vector<Table>& tables) {

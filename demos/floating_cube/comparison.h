@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,8 @@ void print(const Table& table);
 /// Prints, for each table, the row that comes nearest to its tolerance or passes it, and a verdict.
 void printWorst(const std::vector<Table>& tables);
 
-/// Writes all tables to a CSV file; false if that fails.
-bool writeCsv(const std::vector<Table>& tables, const std::string& file);
+/// Writes all tables as CSV.
+void writeCsv(std::ostream& csv, const std::vector<Table>& tables);
 
 bool allPass(const std::vector<Table>& tables);
 

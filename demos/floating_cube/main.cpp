@@ -1,15 +1,18 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <ostream>
 
 #include "bullet_buoyancy/core/constants.h"
 #include "floating_cube/comparison.h"
 #include "floating_cube/options.h"
-#include "floating_cube/plot.h"
+#include "plots/draw_plot.h"
 #include "recording/world_film.h"
 #include "scenes/floating_cube.h"
 #include "scenes/floating_log.h"
 #include "scenes/free_spin.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/scene_watch.h"
 
 namespace bullet_buoyancy::demo {
@@ -61,12 +64,14 @@ Table heaveTable(const Stepping& stepping) {
     return table;
 }
 
-std::vector<LogResult> sweepLogs(const Options& options) {
-    std::vector<LogResult> logs;
-    const long count = std::lround(0.9 / options.ratioStep);
-    for (long i = 0; i <= count; ++i)
-        logs.push_back(floatLog(0.05 + 0.9 * double(i) / double(count), options.stepping));
-    return logs;
+long logsOf(const Options& options) {
+    return std::lround(0.9 / options.ratioStep) + 1;
+}
+
+void sweepLogs(const Options& options, std::vector<LogResult>& logs) {
+    const long count = logsOf(options);
+    for (long i = 0; i < count; ++i)
+        logs.push_back(floatLog(0.05 + 0.9 * double(i) / double(count - 1), options.stepping));
 }
 
 Table logTable(const std::vector<LogResult>& logs) {
@@ -114,23 +119,72 @@ CubeResult filmCube(const Options& options, recording::WorldFilm& film) {
     return dropCube(options.cube, options.stepping);
 }
 
+/// What a run has found, until it was interrupted.
+struct Findings {
+    CubeResult cube;
+    std::vector<LogResult> logs;
+    std::vector<Table> tables;
+};
+
+void findAll(const Options& options, recording::WorldFilm& film, Findings& found) {
+    found.cube = filmCube(options, film);
+    found.tables.push_back(cubeTable(found.cube, options.cube));
+    found.tables.push_back(heaveTable(options.stepping));
+    const bool isWhole = untilInterrupted([&] { sweepLogs(options, found.logs); });
+    found.tables.push_back(logTable(found.logs));
+    if (!isWhole) return;
+    found.tables.push_back(thresholdTable(options.stepping));
+    found.tables.push_back(spinTable(options.stepping));
+}
+
+Findings findWithProgress(const Options& options, recording::WorldFilm& film) {
+    constexpr int besideLogs = 1 + 5 + 2 * 7 + 2;  // the cube, slabs, bisections of the thresholds, spins
+    Progress progress(double(logsOf(options) + besideLogs), "scenes");
+    int begun = 0;
+    const SceneWatch watch([&](const FloatScene& scene) {
+        if (scene.time() == 0) progress.reach(begun++);
+        progress.look(scene);
+    });
+    Findings found;
+    untilInterrupted([&] { findAll(options, film, found); });
+    return found;
+}
+
+void writeLogs(std::ostream& csv, const std::vector<LogResult>& logs) {
+    csv << "density_ratio,tilt_deg,centre_height_sides,settled_after_s\n";
+    for (const LogResult& log : logs)
+        csv << log.ratio << ',' << log.tilt * degrees << ',' << log.centreHeight << ',' << log.settledAfter
+            << '\n';
+}
+
+void writeFall(std::ostream& csv, const CubeResult& cube) {
+    csv << "time_s,centre_height_edges,tilt_deg,energy_j\n";
+    for (const CubeSample& sample : cube.samples)
+        csv << sample.time << ',' << sample.height << ',' << sample.tilt * degrees << ',' << sample.energy
+            << '\n';
+}
+
+bool write(const Options& options, const Findings& found) {
+    const plots::Table tables{"tables", [&](std::ostream& csv) { writeCsv(csv, found.tables); }};
+    const plots::Table logs{"logs", [&](std::ostream& csv) { writeLogs(csv, found.logs); }};
+    const plots::Table fall{"fall", [&](std::ostream& csv) { writeFall(csv, found.cube); }};
+    const auto wrote = [](const plots::Table& table, const std::string& file) {
+        return file.empty() || writeTable(table, "floating_cube", file);
+    };
+    return wrote(tables, options.csv) && wrote(logs, options.logs) && wrote(fall, options.fall) &&
+           (options.plot.empty() || found.logs.empty() ||
+            plots::drawPlot("floating_cube", {logs, fall}, options.plot));
+}
+
 int run(const Options& options) {
     recording::WorldFilm film(options.film.film);
-    const CubeResult cube = filmCube(options, film);
-    const std::vector<LogResult> logs = sweepLogs(options);
-    std::vector<Table> tables{cubeTable(cube, options.cube), heaveTable(options.stepping), logTable(logs),
-                              thresholdTable(options.stepping), spinTable(options.stepping)};
-    for (const Table& table : tables)
+    const Findings found = findWithProgress(options, film);
+    for (const Table& table : found.tables)
         print(table);
-    printWorst(tables);
-
-    if (!options.csv.empty() && !writeCsv(tables, options.csv)) {
-        std::fprintf(stderr, "floating_cube: cannot write %s\n", options.csv.c_str());
-        return 1;
-    }
-    if (!options.plot.empty() && !plot(cube, logs, options.plot)) return 1;
+    if (!isInterrupted()) printWorst(found.tables);
+    if (!write(options, found)) return 1;
     if (options.film.isWanted() && !writeFilm(film.film(), options.film, "floating_cube")) return 1;
-    return allPass(tables) ? 0 : 1;
+    return allPass(found.tables) ? 0 : 1;
 }
 
 }  // namespace
@@ -139,5 +193,7 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     int exitStatus = 0;
     const auto options = bullet_buoyancy::demo::parseOptions(argc, argv, exitStatus);
-    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+    if (!options) return exitStatus;
+    return bullet_buoyancy::scenes::runInterruptibly("floating_cube",
+                                                     [&] { return bullet_buoyancy::demo::run(*options); });
 }

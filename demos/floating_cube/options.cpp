@@ -32,6 +32,8 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
                    "step of the log's sweep of density ratios from 0.05 to 0.95")
         ->check(CLI::Range(0.001, 0.45));
     app.add_option("--csv", options.csv, "write the tables to this file");
+    app.add_option("--logs", options.logs, "write how the logs float to this file");
+    app.add_option("--fall", options.fall, "write the cube's fall, over time, to this file");
     app.add_option("--plot", options.plot,
                    "draw the cube's fall and the log's tilts into this .png or .svg file")
         ->check(scenes::isPicture);

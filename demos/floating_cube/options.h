@@ -13,6 +13,7 @@ struct Options {
     scenes::Stepping stepping;
     double ratioStep = 0.05;      ///< of the log's sweep from 0.05 to 0.95
     std::string csv;              ///< file for the tables; empty: none
+    std::string logs, fall;       ///< files for the logs and for the cube's fall; empty: none
     std::string plot;             ///< PNG or SVG file; empty: none
     recording::FilmOptions film;  ///< of the cube
 };

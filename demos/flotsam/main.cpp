@@ -9,6 +9,8 @@
 #include "recording/world_film.h"
 #include "scenes/command_line.h"
 #include "scenes/flotsam.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/sea.h"
 #include "scenes/stopwatch.h"
 #include "scenes/study_cases.h"
@@ -73,7 +75,7 @@ struct KindSummary {
 };
 
 /// False if anything is not as a sea would leave it.
-bool printSummary(const FlotsamScene& scene, double carried) {
+bool printSummary(const FlotsamScene& scene) {
     KindSummary kinds[flotsamKinds];
     int lost = 0;
     for (const FlotsamPiece& piece : scene.pieces()) {
@@ -93,8 +95,7 @@ bool printSummary(const FlotsamScene& scene, double carried) {
         if (const KindSummary& kind = kinds[i]; kind.pieces > 0)
             std::printf("%-10s %6d %6d %14.3f %12.3f %12.3f\n", nameOf(Flotsam(i)), kind.pieces, kind.wet,
                         kind.ratio / kind.pieces, kind.wetFraction / kind.pieces, kind.draught / kind.pieces);
-    std::printf("\nThe water carries %.3f of their weight, mean of the last half; %d of %zu bodies lost\n",
-                carried, lost, scene.pieces().size());
+    std::printf("\n%d of %zu bodies lost\n", lost, scene.pieces().size());
     return lost == 0;
 }
 
@@ -125,18 +126,26 @@ int run(const Options& options) {
     };
     look();
     const long steps = std::lround(options.duration / options.dt);
+    Progress progress(options.duration, "s");
     double clock = 0, carried = 0;
-    for (long i = 0; i < steps; ++i) {
+    long carriedSteps = 0;
+    for (long i = 0; i < steps && !isInterrupted(); ++i) {
         const double start = wallTime();
         scene.step(options.dt);
         clock += wallTime() - start;
-        if (i >= steps / 2) carried += carriedNow(scene) / double(steps - steps / 2);
+        if (i >= steps / 2) carried += carriedNow(scene), ++carriedSteps;
         look();
+        progress.reach(scene.time());
+        progress.countStep(options.dt);
     }
+    progress.clear();
     std::printf("%d bodies in a JONSWAP sea of %g m and %g s: %g s in %.2f s, %.1f simulated s a s\n",
-                options.scene.bodies, options.sea.height, options.sea.period, options.duration, clock,
-                options.duration / clock);
-    const bool allThere = printSummary(scene, carried);
+                options.scene.bodies, options.sea.height, options.sea.period, scene.time(), clock,
+                scene.time() / clock);
+    const bool allThere = printSummary(scene);
+    if (carriedSteps > 0)
+        std::printf("The water carries %.3f of their weight, mean of the last half\n",
+                    carried / double(carriedSteps));
     if (options.film.isWanted() && !writeFilm(film.film(), options.film, "flotsam")) return 1;
     return allThere ? 0 : 1;
 }
@@ -166,5 +175,6 @@ int main(int argc, char** argv) {
     bullet_buoyancy::recording::addFilmOptions(app, options.film);
     int exitStatus = 0;
     if (!bullet_buoyancy::scenes::parse(app, argc, argv, exitStatus)) return exitStatus;
-    return bullet_buoyancy::demo::run(options);
+    return bullet_buoyancy::scenes::runInterruptibly("flotsam",
+                                                     [&] { return bullet_buoyancy::demo::run(options); });
 }

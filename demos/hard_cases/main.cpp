@@ -5,16 +5,10 @@
 #include "hard_cases/hard_case.h"
 #include "hard_cases/options.h"
 #include "hard_cases/score.h"
+#include "plots/draw_plot.h"
 #include "recording/world_film.h"
-#include "scenes/scene_watch.h"
-
-#ifdef _WIN32
-#include <io.h>
-#define isatty _isatty
-#define fileno _fileno
-#else
-#include <unistd.h>
-#endif
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 
 namespace bullet_buoyancy::demo {
 namespace {
@@ -34,21 +28,19 @@ std::vector<HardCase> select(const Options& options) {
 }
 
 /// Printed as soon as a group is complete: the cases of one stand next to each other.
-std::vector<Score> runAll(const std::vector<HardCase>& cases, bool verbose) {
-    const bool progress = isatty(fileno(stderr));
-    std::vector<Score> all, group;
+void runAll(const std::vector<HardCase>& cases, bool verbose, std::vector<Score>& all) {
+    scenes::Progress progress(double(cases.size()), "cases");
+    const scenes::SceneWatch watch([&](const scenes::FloatScene& scene) { progress.look(scene); });
+    std::size_t printed = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (progress)
-            std::fprintf(stderr, "\r\033[K%zu of %zu: %s", i + 1, cases.size(), cases[i].fullName().c_str());
+        progress.reach(double(i), cases[i].fullName());
         for (const Score& score : runBothWays(cases[i]))
-            group.push_back(score);
+            all.push_back(score);
         if (i + 1 < cases.size() && cases[i + 1].group == cases[i].group) continue;
-        if (progress) std::fprintf(stderr, "\r\033[K");
-        printGroup(group, verbose);
-        all.insert(all.end(), group.begin(), group.end());
-        group.clear();
+        progress.clear();
+        printGroup({all.begin() + std::ptrdiff_t(printed), all.end()}, verbose);
+        printed = all.size();
     }
-    return all;
 }
 
 /// As the library floats it. Of a case that has several scenes the first is filmed.
@@ -59,9 +51,17 @@ bool film(const std::vector<HardCase>& cases, const Options& options) {
     const HardCase& hardCase = options.only.empty() && chain != cases.end() ? *chain : cases.front();
     recording::WorldFilm film(options.film.film);
     const scenes::SceneWatch watch([&](const scenes::FloatScene& scene) { film.look(scene); });
-    hardCase.measure(scenes::Floater::library);
+    scenes::untilInterrupted([&] { hardCase.measure(scenes::Floater::library); });
     std::printf("Filmed: %s\n", hardCase.fullName().c_str());
     return writeFilm(film.film(), options.film, "hard_cases");
+}
+
+/// Those that were run: a case's quantities stand next to each other.
+std::size_t casesOf(const std::vector<Score>& scores) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        count += i == 0 || scores[i].group != scores[i - 1].group || scores[i].name != scores[i - 1].name;
+    return count;
 }
 
 int run(const Options& options) {
@@ -76,18 +76,19 @@ int run(const Options& options) {
         return 1;
     }
     printHeader();
-    const std::vector<Score> scores = runAll(cases, options.verbose);
+    std::vector<Score> scores;
+    scenes::untilInterrupted([&] { runAll(cases, options.verbose, scores); });
     const auto failures = [&](Quantity Score::*side) {
         return std::count_if(scores.begin(), scores.end(),
                              [&](const Score& score) { return !(score.*side).passes(); });
     };
-    std::printf("\n%zu cases, %zu quantities: peers' way fails %td, ours %td.\n", cases.size(), scores.size(),
-                failures(&Score::peers), failures(&Score::ours));
-    if (!options.csv.empty() && !writeCsv(scores, options.csv)) {
-        std::fprintf(stderr, "hard_cases: cannot write %s\n", options.csv.c_str());
+    std::printf("\n%zu cases, %zu quantities: peers' way fails %td, ours %td.\n", casesOf(scores),
+                scores.size(), failures(&Score::peers), failures(&Score::ours));
+    const plots::Table table{"scores", [&](std::ostream& csv) { writeCsv(csv, scores); }};
+    if (!options.csv.empty() && !writeTable(table, "hard_cases", options.csv)) return 1;
+    if (!options.plot.empty() && !scores.empty() && !plots::drawPlot("hard_cases", {table}, options.plot))
         return 1;
-    }
-    if (options.film.isWanted() && !film(cases, options)) return 1;
+    if (options.film.isWanted() && !scenes::isInterrupted() && !film(cases, options)) return 1;
     return failures(&Score::ours) > 0 ? 1 : 0;
 }
 
@@ -97,5 +98,7 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     int exitStatus = 0;
     const auto options = bullet_buoyancy::demo::parseOptions(argc, argv, exitStatus);
-    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+    if (!options) return exitStatus;
+    return bullet_buoyancy::scenes::runInterruptibly("hard_cases",
+                                                     [&] { return bullet_buoyancy::demo::run(*options); });
 }

@@ -14,6 +14,9 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitStatus) {
         "force, and by the library. Exit status 1 if the library is past any limit.",
         "hard_cases"};
     app.add_option("--csv", options.csv, "write a row for each quantity of each case to this file");
+    app.add_option("--plot", options.plot,
+                   "draw every quantity over its limit, both ways, into this .png or .svg file")
+        ->check(scenes::isPicture);
     app.add_option("--only", options.only, "run only cases whose name contains this");
     app.add_flag("--list", options.list, "print the names of the cases and end");
     app.add_flag("--quick", options.quick, "a thinned selection, for under a minute");

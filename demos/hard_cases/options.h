@@ -9,6 +9,7 @@ namespace bullet_buoyancy::demo {
 
 struct Options {
     std::string csv;       ///< file for all rows; empty: none
+    std::string plot;      ///< PNG or SVG file; empty: none
     std::string only;      ///< run the cases whose name contains this
     bool list = false;     ///< print the names, run nothing
     bool quick = false;    ///< a thinned grid

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
+#include <ostream>
 
 namespace bullet_buoyancy::demo {
 
@@ -87,15 +87,12 @@ void printGroup(const std::vector<Score>& scores, bool verbose) {
     std::fflush(stdout);
 }
 
-bool writeCsv(const std::vector<Score>& scores, const std::string& file) {
-    std::ofstream csv(file);
-    csv.precision(9);
+void writeCsv(std::ostream& csv, const std::vector<Score>& scores) {
     csv << "group,case,quantity,unit,limit,peers,peers_pass,ours,ours_pass\n";
     for (const Score& score : scores)
         csv << '"' << score.group << "\",\"" << score.name << "\",\"" << score.ours.what << "\","
             << score.ours.unit << ',' << score.ours.limit << ',' << score.peers.value << ','
             << score.peers.passes() << ',' << score.ours.value << ',' << score.ours.passes() << '\n';
-    return bool(csv.flush());
 }
 
 }  // namespace bullet_buoyancy::demo

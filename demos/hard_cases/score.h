@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,6 @@ std::vector<Score> runBothWays(const HardCase& hardCase);
 void printGroup(const std::vector<Score>& scores, bool verbose);
 void printHeader();
 
-/// False if the file cannot be written.
-bool writeCsv(const std::vector<Score>& scores, const std::string& file);
+void writeCsv(std::ostream& csv, const std::vector<Score>& scores);
 
 }  // namespace bullet_buoyancy::demo

@@ -1,11 +1,14 @@
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 #include <vector>
 
 #include "bullet_buoyancy/hull/hull.h"
+#include "plots/draw_plot.h"
 #include "rotation_schemes/measure.h"
 #include "rotation_schemes/options.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/study_hulls.h"
 
 namespace bullet_buoyancy::demo {
@@ -32,13 +35,15 @@ const std::vector<SpinCase>& spinCases() {
     return cases;
 }
 
-std::vector<Row> measure(const RotationOptions& options) {
-    std::vector<Row> rows;
+void measure(const RotationOptions& options, std::vector<Row>& rows) {
+    scenes::Progress progress(double(spinCases().size() * schemes().size()), "spins");
     for (const SpinCase& spin : spinCases())
-        for (const Scheme& scheme : schemes())
+        for (const Scheme& scheme : schemes()) {
+            scenes::throwIfInterrupted();
+            progress.reach(double(rows.size()), scheme.name);
             rows.push_back({spin, scheme, measureTime(scheme, spin, options.dt, options.stepsInABlock),
                             measureError(scheme, spin, options.dt, options.seconds)});
-    return rows;
+        }
 }
 
 void print(const std::vector<Row>& rows, const RotationOptions& options) {
@@ -59,16 +64,13 @@ void print(const std::vector<Row>& rows, const RotationOptions& options) {
     }
 }
 
-bool writeCsv(const std::vector<Row>& rows, const std::string& file) {
-    std::ofstream csv(file);
-    csv.precision(6);
+void writeRows(std::ostream& csv, const std::vector<Row>& rows) {
     csv << "case,scheme,ns_a_step,orientation_error_rad,relative_energy_error,relative_momentum_error,"
            "passes\n";
     for (const Row& row : rows)
         csv << '"' << row.spin.name << "\",\"" << row.scheme.name << "\"," << row.time << ','
             << row.error.orientation << ',' << row.error.energy << ',' << row.error.momentum << ','
             << row.passes() << '\n';
-    return bool(csv.flush());
 }
 
 /// A box that spins by one scheme, where it is seen in the film.
@@ -101,7 +103,7 @@ std::vector<FilmedSpin> castOf(recording::Film& film) {
 bool film(const RotationOptions& options) {
     recording::Film film(options.film.film, WaterFrame::zUp());
     std::vector<FilmedSpin> spins = castOf(film);
-    for (long i = 0; i <= std::lround(options.seconds / options.dt); ++i) {
+    for (long i = 0; i <= std::lround(options.seconds / options.dt) && !scenes::isInterrupted(); ++i) {
         if (const double time = double(i) * options.dt; film.isDue(time)) {
             film.beginFrame(time);
             for (const FilmedSpin& spin : spins)
@@ -114,13 +116,12 @@ bool film(const RotationOptions& options) {
 }
 
 int run(const RotationOptions& options) {
-    const std::vector<Row> rows = measure(options);
+    std::vector<Row> rows;
+    scenes::untilInterrupted([&] { measure(options, rows); });
     print(rows, options);
-    if (!options.csv.empty() && !writeCsv(rows, options.csv)) {
-        std::fprintf(stderr, "rotation_schemes: cannot write %s\n", options.csv.c_str());
-        return 1;
-    }
-    if (options.film.isWanted() && !film(options)) return 1;
+    const plots::Table table{"rows", [&](std::ostream& csv) { writeRows(csv, rows); }};
+    if (!options.csv.empty() && !writeTable(table, "rotation_schemes", options.csv)) return 1;
+    if (options.film.isWanted() && !scenes::isInterrupted() && !film(options)) return 1;
     for (const Row& row : rows)
         if (!row.passes()) return 1;
     return 0;
@@ -132,5 +133,7 @@ int run(const RotationOptions& options) {
 int main(int argc, char** argv) {
     int exitStatus = 0;
     const auto options = bullet_buoyancy::demo::parseRotationOptions(argc, argv, exitStatus);
-    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+    if (!options) return exitStatus;
+    return bullet_buoyancy::scenes::runInterruptibly("rotation_schemes",
+                                                     [&] { return bullet_buoyancy::demo::run(*options); });
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "scenes/interruption.h"
 
 namespace bullet_buoyancy::scenes {
 
@@ -61,10 +62,10 @@ void BoatInWaves::placeBody() {
 void BoatInWaves::pullMooring() {
     if (std::isinf(m_def.mooringPeriod)) return;
     const double rate = 2 * pi / m_def.mooringPeriod, perMass = rate * rate;
-    const VoyageSample now = sample();
-    const Vec3 pull = m_pretension - m_boat.mass * perMass * Vec3(now.surge, now.sway, 0);
+    const Pose now = pose();
+    const Vec3 pull = m_pretension - m_boat.mass * perMass * Vec3(now.position.x(), now.position.y(), 0);
     m_body->applyCentralForce(toBullet(pull));
-    m_body->applyTorque(toBullet(-m_boat.inertia.z() * perMass * now.yaw * Vec3::UnitZ()));
+    m_body->applyTorque(toBullet(-m_boat.inertia.z() * perMass * attitudeOf(now).yaw * Vec3::UnitZ()));
 }
 
 void BoatInWaves::step() {
@@ -91,11 +92,20 @@ Pose BoatInWaves::pose() const {
     return toPose(m_body->getWorldTransform());
 }
 
+double BoatInWaves::slopeAlong(const Pose& pose) const {
+    const Vec2 place = pose.position.head<2>(), bow = pose.worldFromBody().col(0).head<2>().normalized();
+    const double length = m_boat.size.x();
+    const double rise =
+        m_sea.elevation(place + length / 2 * bow, m_time) - m_sea.elevation(place - length / 2 * bow, m_time);
+    return std::atan(rise / length);
+}
+
 VoyageSample BoatInWaves::sample() const {
     const Pose now = pose();
     const Attitude attitude = attitudeOf(now);
     return {m_time,
             m_sea.elevation(Vec2::Zero(), m_time),
+            slopeAlong(now),
             now.position.x(),
             now.position.y(),
             now.position.z() - m_boat.heightAtRest,
@@ -107,22 +117,23 @@ VoyageSample BoatInWaves::sample() const {
 }
 
 Voyage sail(const Boat& boat, Sea& sea, const VoyageDef& def,
-            const std::function<void(const BoatInWaves&)>& look) {
+            const std::function<void(const BoatInWaves&, bool)>& look) {
     using Clock = std::chrono::steady_clock;
     BoatInWaves scene(boat, sea, def);
     const long settling = std::lround(def.settling / def.step), steps = std::lround(def.duration / def.step);
     Voyage voyage;
     voyage.samples.reserve(std::size_t(steps));
     const auto start = Clock::now();
-    for (long i = -settling; i < steps && scene.mishap() == Mishap::none; ++i) {
+    long taken = 0;
+    for (long i = -settling; i < steps && scene.mishap() == Mishap::none && !isInterrupted(); ++i) {
         scene.step();
-        if (i < 0) continue;
-        voyage.samples.push_back(scene.sample());
-        look(scene);
+        ++taken;
+        const bool isRecorded = i >= 0;
+        if (isRecorded) voyage.samples.push_back(scene.sample());
+        look(scene, isRecorded);
     }
     voyage.mishap = scene.mishap();
-    voyage.clockPerStep =
-        std::chrono::duration<double>(Clock::now() - start).count() / double(settling + steps);
+    voyage.clockPerStep = std::chrono::duration<double>(Clock::now() - start).count() / double(taken);
     return voyage;
 }
 

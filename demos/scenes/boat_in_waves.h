@@ -35,6 +35,7 @@ struct VoyageDef {
 struct VoyageSample {
     double time;                ///< s
     double elevation;           ///< of the surface at the probe, the boat's place in still water, m
+    double slope;               ///< of the water along the boat, as at its two ends, rad
     double surge, sway, heave;  ///< world x, y, z, m
     double roll, pitch, yaw;    ///< rad
     double errorBound;          ///< of the force of the water, over the boat's weight
@@ -50,7 +51,7 @@ enum class Mishap {
 };
 
 struct Voyage {
-    std::vector<VoyageSample> samples;  ///< one a step, until a mishap
+    std::vector<VoyageSample> samples;  ///< one a step, until a mishap or an interruption
     Mishap mishap = Mishap::none;
     double clockPerStep = 0;  ///< s of real time in a step of Bullet's world, mean
 };
@@ -78,6 +79,7 @@ private:
     void placeBody();
     void pullMooring();
     void look();
+    double slopeAlong(const Pose& pose) const;
 
     Boat m_boat;
     Sea& m_sea;
@@ -95,10 +97,10 @@ private:
     std::unique_ptr<btRigidBody> m_body;
 };
 
-/// `look` is called after each step of the record.
+/// `look` is called after each step, and told whether that is of the record.
 Voyage sail(
     const Boat& boat, Sea& sea, const VoyageDef& def,
-    const std::function<void(const BoatInWaves&)>& look = [](const BoatInWaves&) {});
+    const std::function<void(const BoatInWaves&, bool)>& look = [](const BoatInWaves&, bool) {});
 
 /// One column of a record.
 std::vector<double> series(const Voyage& voyage, double VoyageSample::*quantity);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "scenes/interruption.h"
 #include "scenes/scene_watch.h"
 
 namespace bullet_buoyancy::scenes {
@@ -80,6 +81,7 @@ void FloatScene::addJoint(std::unique_ptr<btTypedConstraint> joint) {
 }
 
 void FloatScene::step(double dt, int substeps) {
+    throwIfInterrupted();
     if (m_time == 0) SceneWatch::show(*this);
     const auto fixedStep = btScalar(dt / substeps);
     if (substeps == 1)

@@ -54,7 +54,8 @@ public:
     /// Linked bodies do not collide with each other.
     void addJoint(std::unique_ptr<btTypedConstraint> joint);
 
-    /// `substeps` of `dt` / `substeps` each in one call of stepSimulation.
+    /// `substeps` of `dt` / `substeps` each in one call of stepSimulation. Throws `Interruption` instead if
+    /// the program is asked to end.
     void step(double dt, int substeps = 1);
 
     /// Steps until `seconds` more have been simulated.

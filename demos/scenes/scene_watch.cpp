@@ -6,21 +6,22 @@ namespace bullet_buoyancy::scenes {
 
 namespace {
 
-thread_local const SceneWatch* watching = nullptr;
+thread_local const SceneWatch* last = nullptr;
 
 }  // namespace
 
-SceneWatch::SceneWatch(Look look) : m_look(std::move(look)) {
-    assert(!watching);
-    watching = this;
+SceneWatch::SceneWatch(Look look) : m_look(std::move(look)), m_other(last) {
+    last = this;
 }
 
 SceneWatch::~SceneWatch() {
-    watching = nullptr;
+    assert(last == this);
+    last = m_other;
 }
 
 void SceneWatch::show(const FloatScene& scene) {
-    if (watching) watching->m_look(scene);
+    for (const SceneWatch* watch = last; watch; watch = watch->m_other)
+        watch->m_look(scene);
 }
 
 }  // namespace bullet_buoyancy::scenes

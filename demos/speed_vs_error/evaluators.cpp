@@ -76,12 +76,12 @@ bool Evaluator::isOfTheLibrary() const {
 
 const std::vector<Evaluator>& evaluators() {
     static const std::vector<Evaluator> all{
-        baseline("closed form, float", "closed form, float", closedFormInFloat),
+        baseline("closed form in float", "closed form in float", closedFormInFloat),
         library("exact", evaluateExact, 1e-12, ToleranceCounts::inWaves),
         library("batch", evaluateBatch, 1e-12, ToleranceCounts::inWaves),
-        library("batch, float", inSinglePrecision<evaluateBatch>, 2e-6, ToleranceCounts::inWaves),
+        library("batch in float", inSinglePrecision<evaluateBatch>, 2e-6, ToleranceCounts::inWaves),
         library("clustered", evaluateClustered, 1e-12, ToleranceCounts::inWaves),
-        library("clustered, float", inSinglePrecision<evaluateClustered>, 2e-6, ToleranceCounts::inWaves),
+        library("clustered in float", inSinglePrecision<evaluateClustered>, 2e-6, ToleranceCounts::inWaves),
         baseline("centroids", "centroids", pressCentroids),
         pontoons(4),
         pontoons(16),

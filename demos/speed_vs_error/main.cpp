@@ -1,17 +1,19 @@
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 #include <thread>
 
 #include "bullet_buoyancy/water/flat_water.h"
+#include "plots/draw_plot.h"
 #include "recording/slide_show.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/statistics.h"
 #include "scenes/thread_scheduler.h"
 #include "scenes/timed_scene.h"
 #include "speed_vs_error/machine.h"
 #include "speed_vs_error/options.h"
-#include "speed_vs_error/plot.h"
 #include "speed_vs_error/report.h"
 
 namespace bullet_buoyancy::demo {
@@ -36,19 +38,37 @@ std::vector<NamedSea> allWaters() {
     return waters;
 }
 
-std::vector<SpeedRow> studyAll(bool quick, Fnv1a& hash) {
+struct Study {
+    NamedSea water;
+    NamedHull hull;
+    StudyEffort effort;
+};
+
+std::vector<Study> allStudies(bool quick) {
     const std::vector<NamedHull> hulls = hullsOfAllKinds();
-    std::vector<SpeedRow> all;
+    std::vector<Study> all;
     for (const NamedSea& water : allWaters()) {
         const Plan plan = planOf(water.water->bounds().isFlat(), quick);
-        for (const NamedHull& hull : hulls) {
-            if (hull.hull->mesh.triangles.size() > std::size_t(plan.mostTriangles)) continue;
-            const std::vector<SpeedRow> rows = studySpeed(hull, water, plan.effort, hash);
-            printRows(rows);
-            all.insert(all.end(), rows.begin(), rows.end());
-        }
+        for (const NamedHull& hull : hulls)
+            if (hull.hull->mesh.triangles.size() <= std::size_t(plan.mostTriangles))
+                all.push_back({water, hull, plan.effort});
     }
     return all;
+}
+
+void studyAll(bool quick, Fnv1a& hash, std::vector<SpeedRow>& all) {
+    const std::vector<Study> studies = allStudies(quick);
+    Progress progress(double(studies.size()), "studies");
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        const Study& study = studies[i];
+        const auto reached = [&](double share) {
+            progress.reach(double(i) + share, study.hull.name + ", " + study.water.name);
+        };
+        const std::vector<SpeedRow> rows = studySpeed(study.hull, study.water, study.effort, hash, reached);
+        progress.clear();
+        printRows(rows);
+        all.insert(all.end(), rows.begin(), rows.end());
+    }
 }
 
 /// Medians, after a tenth in which the bodies settle.
@@ -110,25 +130,23 @@ int run(const SpeedOptions& options) {
         "radius: medians and largest. To baselines round solids are meshes.\n",
         describeMachine().c_str());
     Fnv1a hash;
-    const std::vector<SpeedRow> rows = studyAll(options.quick, hash);
-    const int bodies = options.quick ? 200 : 1000, substeps = options.quick ? 60 : 600;
-    printScenes(bodies, substeps);
-    printThreads(bodies, substeps);
+    std::vector<SpeedRow> rows;
+    untilInterrupted([&] {
+        studyAll(options.quick, hash, rows);
+        const int bodies = options.quick ? 200 : 1000, substeps = options.quick ? 60 : 600;
+        printScenes(bodies, substeps);
+        printThreads(bodies, substeps);
+    });
     int broken = 0;
     for (const SpeedRow& row : rows)
         broken += row.broken;
     if (broken > 0) std::printf("\n%d results are farther off than their evaluators state\n", broken);
     std::printf("\nHash of the library's results: %016" PRIx64 "\n", hash.value());
-    if (!options.csv.empty()) {
-        std::ofstream csv(options.csv);
-        writeCsv(csv, rows);
-        if (!csv.flush()) {
-            std::fprintf(stderr, "speed_vs_error: cannot write %s\n", options.csv.c_str());
-            return 1;
-        }
-    }
-    if (!options.plot.empty() && !plot(rows, options.plot)) return 1;
-    if (options.film.isWanted() && !film(options)) return 1;
+    const plots::Table table{"rows", [&](std::ostream& csv) { writeCsv(csv, rows); }};
+    if (!options.csv.empty() && !writeTable(table, "speed_vs_error", options.csv)) return 1;
+    if (!options.plot.empty() && !rows.empty() && !plots::drawPlot("speed_vs_error", {table}, options.plot))
+        return 1;
+    if (options.film.isWanted() && !isInterrupted() && !film(options)) return 1;
     return broken > 0;
 }
 
@@ -138,5 +156,7 @@ int run(const SpeedOptions& options) {
 int main(int argc, char** argv) {
     int exitStatus = 0;
     const auto options = bullet_buoyancy::demo::parseSpeedOptions(argc, argv, exitStatus);
-    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+    if (!options) return exitStatus;
+    return bullet_buoyancy::scenes::runInterruptibly("speed_vs_error",
+                                                     [&] { return bullet_buoyancy::demo::run(*options); });
 }

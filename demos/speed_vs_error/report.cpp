@@ -33,13 +33,15 @@ void printRows(const std::vector<SpeedRow>& rows) {
 }
 
 void writeCsv(std::ostream& csv, const std::vector<SpeedRow>& rows) {
-    csv << "water,hull,triangles,evaluator,tolerance,ns_a_body,speed_over_yardstick,median_force_error,"
+    csv << "water,hull,triangles,family,evaluator,tolerance,ns_a_body,speed_over_yardstick,median_force_"
+           "error,"
            "largest_force_error,median_torque_error,largest_torque_error,largest_bound,broken\n";
     for (const SpeedRow& row : rows)
         csv << '"' << row.water << "\",\"" << row.hull << "\"," << row.triangles << ",\""
-            << row.evaluator->name << "\"," << textOf(row.tolerance, "%g") << ',' << row.nanoseconds << ','
-            << row.speed << ',' << row.medianError << ',' << row.largestError << ',' << row.medianTorque
-            << ',' << row.largestTorque << ',' << textOf(row.largestBound, "%g") << ',' << row.broken << '\n';
+            << row.evaluator->family << "\",\"" << row.evaluator->name << "\"," << textOf(row.tolerance, "%g")
+            << ',' << row.nanoseconds << ',' << row.speed << ',' << row.medianError << ',' << row.largestError
+            << ',' << row.medianTorque << ',' << row.largestTorque << ',' << textOf(row.largestBound, "%g")
+            << ',' << row.broken << '\n';
 }
 
 }  // namespace bullet_buoyancy::demo

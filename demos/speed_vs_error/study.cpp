@@ -6,6 +6,7 @@
 
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
 #include "scenes/fnv1a.h"
+#include "scenes/interruption.h"
 #include "scenes/statistics.h"
 #include "scenes/stopwatch.h"
 #include "scenes/study_cases.h"
@@ -77,6 +78,7 @@ void timeAll(std::vector<Run>& runs, const std::vector<StudyCase>& cases, int ro
     }
     for (int round = 0; round < rounds; ++round)
         for (Run& run : runs) {
+            throwIfInterrupted();
             run.nanoseconds.push_back(timeOf(run, cases));
             run.speed.push_back(runs.front().nanoseconds.back() / run.nanoseconds.back());
         }
@@ -121,7 +123,7 @@ SpeedRow rowOf(const Run& run, const Hull& hull, const WaterField& water, const 
 }  // namespace
 
 std::vector<SpeedRow> studySpeed(const NamedHull& named, const NamedSea& sea, const StudyEffort& effort,
-                                 Fnv1a& hash) {
+                                 Fnv1a& hash, const std::function<void(double)>& reached) {
     const Hull& hull = *named.hull;
     const WaterField& water = *sea.water;
     const int triangles = int(asMesh(hull).triangles.size());
@@ -130,6 +132,8 @@ std::vector<SpeedRow> studySpeed(const NamedHull& named, const NamedSea& sea, co
     const std::vector<StudyCase> cases = casesAcross(water, hull, poses);
     std::vector<HydrostaticResult> truths;
     for (int i = 0; i < effort.posesForErrors; ++i) {
+        throwIfInterrupted();
+        reached(double(i) / effort.posesForErrors);
         HydrostaticQuery query;
         query.time = cases[std::size_t(i)].time;
         truths.push_back(evaluateReference(hull, cases[std::size_t(i)].pose, water, query));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "scenes/fnv1a.h"
 #include "scenes/study_hulls.h"
 #include "scenes/study_seas.h"
@@ -30,7 +32,10 @@ struct SpeedRow {
 };
 
 /// One row for each evaluator and tolerance. `hash` goes on over the results of the library's evaluators.
+/// `reached` is told the share of the poses that the reference knows. Throws `Interruption` if the program is
+/// asked to end.
 std::vector<SpeedRow> studySpeed(const scenes::NamedHull& hull, const scenes::NamedSea& sea,
-                                 const StudyEffort& effort, scenes::Fnv1a& hash);
+                                 const StudyEffort& effort, scenes::Fnv1a& hash,
+                                 const std::function<void(double)>& reached);
 
 }  // namespace bullet_buoyancy::demo

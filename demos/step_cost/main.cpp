@@ -1,11 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 
+#include "plots/draw_plot.h"
 #include "recording/film_options.h"
 #include "recording/world_film.h"
 #include "scenes/crowd_pose.h"
 #include "scenes/float_scene.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/scene_watch.h"
 #include "scenes/stopwatch.h"
 
@@ -93,38 +96,53 @@ std::vector<Case> allCases() {
 bool film(const Case& crowd, const Options& options) {
     recording::WorldFilm film(options.film.film);
     const SceneWatch watch([&](const FloatScene& scene) { film.look(scene); });
-    measure(crowd, options);
+    untilInterrupted([&] { measure(crowd, options); });
     return writeFilm(film.film(), options.film, "step_cost");
 }
 
-int run(const Options& options) {
-    std::ofstream csv;
-    if (!options.csv.empty()) {
-        csv.open(options.csv);
-        csv << "bodies,scheme,ns_a_body,of_published,evaluations_a_step\n";
+struct Row {
+    Case crowd;
+    Cost cost;
+    double ofPublished;  ///< its time over that of the published step
+};
+
+void writeRows(std::ostream& csv, const std::vector<Row>& rows) {
+    csv << "bodies,scheme,ns_a_body,of_published,evaluations_a_step\n";
+    for (const Row& row : rows)
+        csv << '"' << row.crowd.bodies << "\",\"" << row.crowd.scheme << "\"," << row.cost.nanoseconds << ','
+            << row.ofPublished << ',' << row.cost.evaluations << '\n';
+}
+
+void measureAll(const std::vector<Case>& cases, const Options& options, std::vector<Row>& rows) {
+    Progress progress(double(cases.size()), "crowds");
+    const SceneWatch watch([&](const FloatScene& scene) { progress.look(scene); });
+    for (std::size_t i = 0; i < cases.size(); i += 3) {
+        Cost costs[3];
+        for (std::size_t j = 0; j < 3; ++j) {
+            progress.reach(double(i + j), cases[i + j].bodies);
+            costs[j] = measure(cases[i + j], options);
+        }
+        costs[0].evaluations = 1;  // bare impulses need one each and do not count them
+        progress.clear();
+        for (std::size_t j = 0; j < 3; ++j) {
+            const Row row{cases[i + j], costs[j], costs[j].nanoseconds / costs[1].nanoseconds};
+            std::printf("%-28s %-24s %12.0f %14.2f %18.2f\n", row.crowd.bodies, row.crowd.scheme,
+                        row.cost.nanoseconds, row.ofPublished, row.cost.evaluations);
+            rows.push_back(row);
+        }
     }
+}
+
+int run(const Options& options) {
     std::printf("%-28s %-24s %12s %14s %18s\n", "bodies", "scheme", "ns a body", "of published",
                 "evaluations a step");
     const std::vector<Case> cases = allCases();
-    for (std::size_t i = 0; i < cases.size(); i += 3) {
-        Cost costs[3];
-        for (std::size_t j = 0; j < 3; ++j)
-            costs[j] = measure(cases[i + j], options);
-        for (std::size_t j = 0; j < 3; ++j) {
-            const double share = costs[j].nanoseconds / costs[1].nanoseconds;
-            // Bare impulses need one evaluation each and do not count them.
-            const double evaluations = j == 0 ? 1 : costs[j].evaluations;
-            std::printf("%-28s %-24s %12.0f %14.2f %18.2f\n", cases[i + j].bodies, cases[i + j].scheme,
-                        costs[j].nanoseconds, share, evaluations);
-            if (csv)
-                csv << '"' << cases[i + j].bodies << "\",\"" << cases[i + j].scheme << "\","
-                    << costs[j].nanoseconds << ',' << share << ',' << evaluations << '\n';
-        }
-    }
-    if (options.film.isWanted() && !film(cases[2], options)) return 1;
-    if (options.csv.empty() || csv.flush()) return 0;
-    std::fprintf(stderr, "step_cost: cannot write %s\n", options.csv.c_str());
-    return 1;
+    std::vector<Row> rows;
+    untilInterrupted([&] { measureAll(cases, options, rows); });
+    const plots::Table table{"rows", [&](std::ostream& csv) { writeRows(csv, rows); }};
+    if (!options.csv.empty() && !writeTable(table, "step_cost", options.csv)) return 1;
+    if (options.film.isWanted() && !isInterrupted() && !film(cases[2], options)) return 1;
+    return 0;
 }
 
 }  // namespace
@@ -143,5 +161,6 @@ int main(int argc, char** argv) {
     app.add_option("--csv", options.csv, "write the table to this file");
     bullet_buoyancy::recording::addFilmOptions(app, options.film);
     CLI11_PARSE(app, argc, argv);
-    return bullet_buoyancy::demo::run(options);
+    return bullet_buoyancy::scenes::runInterruptibly("step_cost",
+                                                     [&] { return bullet_buoyancy::demo::run(options); });
 }

@@ -1,7 +1,10 @@
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 
+#include "plots/draw_plot.h"
 #include "recording/slide_show.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/study_seas.h"
 #include "wave_accuracy/options.h"
 #include "wave_accuracy/study.h"
@@ -33,11 +36,21 @@ void printRow(const ToleranceRow& row) {
         std::printf("  ^ in %d cases the force is farther off than its bound says\n", row.brokenBounds);
 }
 
-void writeRow(std::ofstream& csv, const std::string& sea, const StudyHull& hull, const ToleranceRow& row) {
-    csv << '"' << sea << "\",\"" << hull.name << "\"," << hull.hull->mesh.triangles.size() << ','
-        << row.tolerance << ',' << row.medianError << ',' << row.largestError << ',' << row.medianBound << ','
-        << row.shareOver << ',' << row.medianTorque << ',' << row.largestTorque << ',' << row.samples << ','
-        << row.microseconds << ',' << row.overFlat << '\n';
+/// A row of the study, and what it is of.
+struct AccuracyRow {
+    std::string sea;
+    StudyHull hull;
+    ToleranceRow row;
+};
+
+void writeRows(std::ostream& csv, const std::vector<AccuracyRow>& rows) {
+    csv << "sea,hull,triangles,tolerance,median_error,largest_error,median_bound,share_over_tolerance,"
+           "median_torque_error,largest_torque_error,samples,us,of_flat\n";
+    for (const auto& [sea, hull, row] : rows)
+        csv << '"' << sea << "\",\"" << hull.name << "\"," << hull.hull->mesh.triangles.size() << ','
+            << row.tolerance << ',' << row.medianError << ',' << row.largestError << ',' << row.medianBound
+            << ',' << row.shareOver << ',' << row.medianTorque << ',' << row.largestTorque << ','
+            << row.samples << ',' << row.microseconds << ',' << row.overFlat << '\n';
 }
 
 /// The mesh of a shape may be as fine as it likes: the water is asked no more often.
@@ -67,15 +80,42 @@ bool film(const std::vector<NamedSea>& seas, double length, const AccuracyOption
     return writeFilm(&show.film(), options.film, "wave_accuracy");
 }
 
-int run(const AccuracyOptions& options) {
+void printHull(const NamedSea& sea, const StudyHull& hull, const std::vector<ToleranceRow>& rows) {
+    std::printf("\n%s, %s of %zu triangles\n", sea.name.c_str(), hull.name.c_str(),
+                hull.hull->mesh.triangles.size());
+    std::printf("  %9s %9s %9s %9s %7s %9s %9s %8s %9s %7s\n", "tolerance", "force err", "largest", "bound",
+                "% over", "torque", "largest", "samples", "us", "of flat");
+    for (const ToleranceRow& row : rows)
+        printRow(row);
+    std::fflush(stdout);
+}
+
+void studyAll(const std::vector<NamedSea>& seas, double length, const AccuracyOptions& options,
+              std::vector<AccuracyRow>& all) {
     const PressureModel pressure = options.dynamic ? PressureModel::waveDynamic : PressureModel::hydrostatic;
+    const std::vector<StudyHull> hulls = studyHulls(length);
+    Progress progress(double(seas.size() * hulls.size()) * options.poses, "poses");
+    double before = 0;  // poses
+    for (const NamedSea& sea : seas)
+        for (const StudyHull& hull : hulls) {
+            const std::vector<StudyCase> cases = casesAcross(*sea.water, *hull.hull, options.poses);
+            const auto reached = [&](std::size_t pose) {
+                progress.reach(before + double(pose), hull.name + ", " + sea.name);
+            };
+            const std::vector<ToleranceRow> rows =
+                studyTolerances(hull, *sea.water, cases, pressure, reached);
+            before += options.poses;
+            progress.clear();
+            printHull(sea, hull, rows);
+            for (const ToleranceRow& row : rows)
+                all.push_back({sea.name, hull, row});
+        }
+    for (const NamedSea& sea : seas)
+        printSamplesOfMeshes(sea, length, options.poses, pressure);
+}
+
+int run(const AccuracyOptions& options) {
     const double length = wavesInAHull * deepWaveLength(peakPeriod);
-    std::ofstream csv;
-    if (!options.csv.empty()) {
-        csv.open(options.csv);
-        csv << "sea,hull,triangles,tolerance,median_error,largest_error,median_bound,share_over_tolerance,"
-               "median_torque_error,largest_torque_error,samples,us,of_flat\n";
-    }
     std::printf(
         "Seas of 1 m and %.0f s; hulls of %.2f m, %.2f of the peak's waves; %d poses; %s pressure.\n"
         "Errors over the weight of water that the whole hull displaces, torques over that times its "
@@ -84,28 +124,18 @@ int run(const AccuracyOptions& options) {
     const std::vector<NamedSea> seas = allSeas();
     for (const NamedSea& sea : seas)
         std::printf("%s: steepness %.2f\n", sea.name.c_str(), sea.steepness);
+    std::vector<AccuracyRow> rows;
+    untilInterrupted([&] { studyAll(seas, length, options, rows); });
+    const plots::Table table{"rows", [&](std::ostream& csv) { writeRows(csv, rows); }};
+    if (!options.csv.empty() && !writeTable(table, "wave_accuracy", options.csv)) return 1;
+    if (!options.plot.empty() && !rows.empty() && !plots::drawPlot("wave_accuracy", {table}, options.plot))
+        return 1;
+    if (options.film.isWanted() && !isInterrupted() && !film(seas, length, options)) return 1;
     int broken = 0;
-    for (const NamedSea& sea : seas)
-        for (const StudyHull& hull : studyHulls(length)) {
-            std::printf("\n%s, %s of %zu triangles\n", sea.name.c_str(), hull.name.c_str(),
-                        hull.hull->mesh.triangles.size());
-            std::printf("  %9s %9s %9s %9s %7s %9s %9s %8s %9s %7s\n", "tolerance", "force err", "largest",
-                        "bound", "% over", "torque", "largest", "samples", "us", "of flat");
-            const std::vector<StudyCase> cases = casesAcross(*sea.water, *hull.hull, options.poses);
-            for (const ToleranceRow& row : studyTolerances(hull, *sea.water, cases, pressure)) {
-                printRow(row);
-                if (csv) writeRow(csv, sea.name, hull, row);
-                broken += row.brokenBounds;
-            }
-            std::fflush(stdout);
-        }
-    for (const NamedSea& sea : seas)
-        printSamplesOfMeshes(sea, length, options.poses, pressure);
-    if (options.film.isWanted() && !film(seas, length, options)) return 1;
+    for (const AccuracyRow& row : rows)
+        broken += row.row.brokenBounds;
     if (broken > 0) std::printf("\n%d bounds do not hold\n", broken);
-    if (options.csv.empty() || csv.flush()) return broken > 0;
-    std::fprintf(stderr, "wave_accuracy: cannot write %s\n", options.csv.c_str());
-    return 1;
+    return broken > 0;
 }
 
 }  // namespace
@@ -114,5 +144,7 @@ int run(const AccuracyOptions& options) {
 int main(int argc, char** argv) {
     int exitStatus = 0;
     const auto options = bullet_buoyancy::demo::parseAccuracyOptions(argc, argv, exitStatus);
-    return options ? bullet_buoyancy::demo::run(*options) : exitStatus;
+    if (!options) return exitStatus;
+    return bullet_buoyancy::scenes::runInterruptibly("wave_accuracy",
+                                                     [&] { return bullet_buoyancy::demo::run(*options); });
 }

@@ -19,6 +19,9 @@ std::optional<AccuracyOptions> parseAccuracyOptions(int argc, char** argv, int& 
     app.add_option("--poses", options.poses, "poses of each hull in each sea")->check(CLI::Range(1, 100000));
     app.add_flag("--dynamic", options.dynamic, "pressure of the undisturbed waves, instead of hydrostatic");
     app.add_option("--csv", options.csv, "write the table to this file");
+    app.add_option("--plot", options.plot,
+                   "draw errors, bounds, samples and time against the tolerance into this .png or .svg file")
+        ->check(scenes::isPicture);
     recording::addFilmOptions(app, options.film);
     if (!scenes::parse(app, argc, argv, exitStatus)) return std::nullopt;
     return options;

@@ -11,6 +11,7 @@ struct AccuracyOptions {
     int poses = 200;       ///< of each hull in each sea
     bool dynamic = false;  ///< pressure of the undisturbed waves, instead of hydrostatic under the surface
     std::string csv;       ///< file for the table; empty: none
+    std::string plot;      ///< PNG or SVG file; empty: none
     recording::FilmOptions film;
 };
 

@@ -8,6 +8,7 @@
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
 #include "bullet_buoyancy/water/flat_water.h"
+#include "scenes/interruption.h"
 #include "scenes/statistics.h"
 #include "scenes/study_hulls.h"
 #include "scenes/wigley_hull.h"
@@ -96,13 +97,16 @@ StudyHull icosphere(double diameter, int levels) {
 }
 
 std::vector<ToleranceRow> studyTolerances(const StudyHull& hull, const WaterField& water,
-                                          const std::vector<StudyCase>& cases, PressureModel pressure) {
+                                          const std::vector<StudyCase>& cases, PressureModel pressure,
+                                          const std::function<void(std::size_t)>& reached) {
     constexpr double tolerances[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 0};
     HydrostaticQuery query;
     query.pressure = pressure;
     const double weight = water.density() * query.gravity * hull.hull->moments.volume;
     std::vector<Figures> figures(std::size(tolerances));
     for (const StudyCase& c : cases) {
+        throwIfInterrupted();
+        reached(std::size_t(&c - cases.data()));
         query.time = c.time;
         const HydrostaticResult truth = evaluateReference(*hull.hull, c.pose, water, query);
         for (std::size_t i = 0; i < std::size(tolerances); ++i) {
@@ -127,6 +131,7 @@ SampleCount countSamples(const StudyHull& hull, const WaterField& water, const s
                          const HydrostaticQuery& query) {
     std::vector<double> samples, microseconds;
     for (const StudyCase& c : cases) {
+        throwIfInterrupted();
         HydrostaticQuery now = query;
         now.time = c.time;
         samples.push_back(evaluateExact(*hull.hull, c.pose, water, now).waterSamples);

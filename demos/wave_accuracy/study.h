@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,10 +37,11 @@ struct ToleranceRow {
 /// What the reference leaves undecided, over the weight.
 inline constexpr double errorOfReference = 1e-8;
 
-/// One row for each tolerance of 1e-1 to 1e-5, and for 0.
+/// One row for each tolerance of 1e-1 to 1e-5, and for 0. `reached` is told of each case before it begins, by
+/// its number. Throws `Interruption` between two cases if the program is asked to end.
 std::vector<ToleranceRow> studyTolerances(const StudyHull& hull, const WaterField& water,
-                                          const std::vector<scenes::StudyCase>& cases,
-                                          PressureModel pressure);
+                                          const std::vector<scenes::StudyCase>& cases, PressureModel pressure,
+                                          const std::function<void(std::size_t)>& reached);
 
 struct SampleCount {
     double samples, microseconds;  ///< medians

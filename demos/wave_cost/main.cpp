@@ -1,10 +1,14 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <iterator>
+#include <ostream>
 
+#include "plots/draw_plot.h"
 #include "recording/film_options.h"
 #include "recording/world_film.h"
-#include "scenes/scene_watch.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/statistics.h"
 #include "scenes/study_seas.h"
 #include "wave_cost/crowd.h"
@@ -62,21 +66,50 @@ void runRound(std::vector<CrowdInSea>& crowds, int steps) {
     }
 }
 
-void print(const std::vector<CrowdInSea>& crowds, std::ofstream& csv) {
+void runAll(std::vector<CrowdInSea>& crowds, const Options& options) {
+    Progress progress(options.rounds, "rounds");
+    const SceneWatch watch([&](const FloatScene& scene) { progress.look(scene); });
+    for (CrowdInSea& c : crowds)
+        c.crowd->step(options.steps);  // from where they were put to how they float
+    for (int round = 0; round < options.rounds; ++round) {
+        progress.reach(round);
+        runRound(crowds, options.steps);
+    }
+}
+
+/// Medians and means of a crowd, in the order of the table.
+struct Row {
+    std::string sea;
+    double tolerance, action, actionOverFlat, wholeOverFlat, evaluations, alone, aloneOverFlat, samples;
+};
+
+Row rowOf(const CrowdInSea& c) {
+    return {c.sea,
+            c.tolerance,
+            median(c.costs.action),
+            median(c.costs.actionOverFlat),
+            median(c.costs.wholeOverFlat),
+            c.crowd->evaluations(),
+            median(c.costs.evaluation),
+            median(c.costs.evaluationOverFlat),
+            c.crowd->samples()};
+}
+
+void print(const std::vector<Row>& rows) {
     std::printf("%-35s %9s %9s %8s %8s %12s %9s %8s %8s\n", "sea", "tolerance", "us a step", "of flat",
                 "scene's", "evaluations", "us alone", "of flat", "samples");
-    for (const CrowdInSea& c : crowds) {
-        const double action = median(c.costs.action), actionOverFlat = median(c.costs.actionOverFlat),
-                     wholeOverFlat = median(c.costs.wholeOverFlat), alone = median(c.costs.evaluation),
-                     aloneOverFlat = median(c.costs.evaluationOverFlat), samples = c.crowd->samples(),
-                     evaluations = c.crowd->evaluations();
-        std::printf("%-35s %9.0e %9.3f %8.2f %8.2f %12.2f %9.3f %8.2f %8.1f\n", c.sea.c_str(), c.tolerance,
-                    action, actionOverFlat, wholeOverFlat, evaluations, alone, aloneOverFlat, samples);
-        if (csv)
-            csv << '"' << c.sea << "\"," << c.tolerance << ',' << action << ',' << actionOverFlat << ','
-                << wholeOverFlat << ',' << evaluations << ',' << alone << ',' << aloneOverFlat << ','
-                << samples << '\n';
-    }
+    for (const Row& row : rows)
+        std::printf("%-35s %9.0e %9.3f %8.2f %8.2f %12.2f %9.3f %8.2f %8.1f\n", row.sea.c_str(),
+                    row.tolerance, row.action, row.actionOverFlat, row.wholeOverFlat, row.evaluations,
+                    row.alone, row.aloneOverFlat, row.samples);
+}
+
+void writeRows(std::ostream& csv, const std::vector<Row>& rows) {
+    csv << "sea,tolerance,us_a_step,step_of_flat,scene_of_flat,evaluations,us_alone,alone_of_flat,samples\n";
+    for (const Row& row : rows)
+        csv << '"' << row.sea << "\"," << row.tolerance << ',' << row.action << ',' << row.actionOverFlat
+            << ',' << row.wholeOverFlat << ',' << row.evaluations << ',' << row.alone << ','
+            << row.aloneOverFlat << ',' << row.samples << '\n';
 }
 
 /// Of a crowd in the first sea, apart from the timings.
@@ -87,33 +120,27 @@ bool film(const WaterField& sea, const Options& options) {
         film.look({scene.world(), sea, crowd.action().time(),
                    [&](const btRigidBody& body) { return crowd.action().report(body); }});
     });
-    crowd.step(options.steps * options.rounds);
+    untilInterrupted([&] { crowd.step(options.steps * options.rounds); });
     return writeFilm(film.film(), options.film, "wave_cost");
 }
 
 int run(const Options& options) {
     const FlatWater flat(WaterFrame::zUp());
     const std::vector<NamedSea> seas = threeSeas();
-    std::ofstream csv;
-    if (!options.csv.empty()) {
-        csv.open(options.csv);
-        csv << "sea,tolerance,us_a_step,step_of_flat,scene_of_flat,evaluations,us_alone,alone_of_flat,"
-               "samples\n";
-    }
     std::printf("%d boxes of 1 m, ratio 0.5; seas of 1 m and 6 s; steps of 1/60 s; a box's part of each.\n",
                 options.bodies);
     for (const NamedSea& sea : seas)
         std::printf("%s: steepness %.2f\n", sea.name.c_str(), sea.steepness);
     std::vector<CrowdInSea> crowds = allCrowds(seas, flat, options.bodies);
-    for (CrowdInSea& c : crowds)
-        c.crowd->step(options.steps);  // from where they were put to how they float
-    for (int round = 0; round < options.rounds; ++round)
-        runRound(crowds, options.steps);
-    print(crowds, csv);
-    if (options.film.isWanted() && !film(*seas.front().water, options)) return 1;
-    if (options.csv.empty() || csv.flush()) return 0;
-    std::fprintf(stderr, "wave_cost: cannot write %s\n", options.csv.c_str());
-    return 1;
+    untilInterrupted([&] { runAll(crowds, options); });
+    std::vector<Row> rows;
+    if (!crowds.back().costs.action.empty())
+        std::transform(crowds.begin(), crowds.end(), std::back_inserter(rows), rowOf);
+    print(rows);
+    const plots::Table table{"rows", [&](std::ostream& csv) { writeRows(csv, rows); }};
+    if (!options.csv.empty() && !writeTable(table, "wave_cost", options.csv)) return 1;
+    if (options.film.isWanted() && !isInterrupted() && !film(*seas.front().water, options)) return 1;
+    return 0;
 }
 
 }  // namespace
@@ -134,5 +161,6 @@ int main(int argc, char** argv) {
     app.add_option("--csv", options.csv, "write the table to this file");
     bullet_buoyancy::recording::addFilmOptions(app, options.film);
     CLI11_PARSE(app, argc, argv);
-    return bullet_buoyancy::demo::run(options);
+    return bullet_buoyancy::scenes::runInterruptibly("wave_cost",
+                                                     [&] { return bullet_buoyancy::demo::run(options); });
 }
