@@ -68,7 +68,8 @@ export class Film {
     const near = bounds.clone().expandByScalar(0.3 * width);
     near.max.y = Math.max(near.max.y, bounds.max.y + 3 * meanHeight);
     const lowest = this.#boundsOverTime(moving).min.y;
-    bounds.min.y = Math.max(Math.min(bounds.min.y - 0.14 * width, lowest), bounds.min.y - 0.4 * width);
+    const deepest = bounds.min.y - Math.max(0.25 * width, meanHeight);
+    bounds.min.y = Math.max(Math.min(bounds.min.y - 0.14 * width, lowest), deepest);
     return bounds.union(boundsOf(moving).intersect(near));
   }
 
