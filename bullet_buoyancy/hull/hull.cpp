@@ -28,8 +28,9 @@ TriangleMesh roughMesh(const SolidOfRevolution& solid) {
     return tessellate(solid, 48);
 }
 
+/// An open mesh may enclose less than nothing.
 bool isSheet(const TriangleMesh& mesh, const VolumeMoments& moments) {
-    return std::abs(moments.volume) <= flatnessTolerance * std::pow(meshSize(mesh), 3);
+    return moments.volume <= flatnessTolerance * std::pow(meshSize(mesh), 3);
 }
 
 bool isSheet(const Sphere&, const VolumeMoments& moments) {
@@ -40,7 +41,8 @@ bool isSheet(const SolidOfRevolution&, const VolumeMoments& moments) {
 }
 
 bool isFinite(const VolumeMoments& moments) {
-    return std::isfinite(moments.volume) && moments.firstMoment.allFinite();
+    return std::isfinite(moments.volume) && moments.firstMoment.allFinite() &&
+           moments.secondMoment.allFinite();
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& part) {

@@ -35,13 +35,13 @@ bool isInTheSea(const BodyReport& report) {
            report.state == BodyState::dry;
 }
 
-/// In waves the ledger's work of the water is what drag, damping and others leave, so that it always balances
-/// but for rounding.
-double imbalance(const BodyReport& report) {
+/// What a body has beyond its ledger's account, over all that went through that: no more than rounding. It
+/// may have less, lost to the steps.
+double unaccounted(const BodyReport& report) {
     const EnergyLedger& ledger = report.energy;
     const double through = std::abs(ledger.start) + std::abs(ledger.byOthers) + std::abs(ledger.byWater) +
                            ledger.toDrag + ledger.toDamping;
-    return through > 0 ? std::abs(report.totalEnergy() - ledger.expected()) / through : 0;
+    return through > 0 ? (report.totalEnergy() - ledger.expected()) / through : 0;
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ void Watch::look(std::size_t i) {
 
     const double distance = std::abs(above) - piece.hull->bounds.radius;
     const double speed = toEigen(report.velocity).norm(), sunk = m_scene.time() - m_lastAfloat[i];
-    const double ledger = imbalance(report);
+    const double ledger = unaccounted(report);
     m_window.distance = std::max(m_window.distance, distance);
     m_window.speed = std::max(m_window.speed, speed);
     m_window.sunk = std::max(m_window.sunk, sunk);

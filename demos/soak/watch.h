@@ -15,7 +15,7 @@ struct WatchLimits {
     double distance;  ///< of a piece's centre from the surface beyond its own size, m
     double sunk;      ///< the longest that a piece may be under water, or out of it, at a time, s
     double energy;    ///< kinetic energy over mass, mean of all pieces over a window, J/kg
-    double ledger;    ///< what energy and ledger differ by, over all that went through the ledger
+    double ledger;    ///< energy beyond the ledger's account, over all that went through it
 };
 
 /// For a sea and the pieces in it.

@@ -46,11 +46,11 @@ public:
     /// The bits of any plain type.
     template <typename T>
     T bits() {
-        std::uint8_t bytes[sizeof(T)];
-        for (std::uint8_t& each : bytes)
-            each = byte();
-        T value;
-        std::memcpy(&value, bytes, sizeof value);
+        T value{};
+        const std::size_t count = m_left < sizeof value ? m_left : sizeof value;
+        if (count > 0) std::memcpy(&value, m_bytes, count);
+        m_bytes += count;
+        m_left -= count;
         return value;
     }
 

@@ -234,6 +234,15 @@ TEST(MakeHull, RefusesSurfacesThatEncloseNothing) {
     expectRefused(make(makeCylinder(Vec3::Zero(), Vec3::UnitZ(), 1, 0)), HullError::noVolume);
 }
 
+/// A box with one corner drawn through it to the opposite one.
+TEST(MakeHull, RefusesOpenMeshesThatEncloseLessThanNothing) {
+    TriangleMesh mesh = unitBox;
+    mesh.vertices.front() = mesh.vertices.back();
+    const HullResult result = makeHull(mesh);
+    expectRefused(result, HullError::noVolume);
+    EXPECT_GT(result.status.openEdges, 0u);
+}
+
 TEST(MakeHull, TakesWhatIsThinButSolid) {
     // A plank of 1 mm on 10 m, a hundred thousand times above what counts as a sheet, and a wire as thin.
     EXPECT_TRUE(makeHull(boxMesh({10, 1, 1e-3})).hull);
@@ -253,8 +262,9 @@ TEST(MakeHull, TakesHugeAndTinySolids) {
 }
 
 TEST(MakeHull, RefusesWhatOverflows) {
-    // The volume of 1e110 m cubed is above 1.8e308 m^3; so is the first moment of 1e80 m.
-    for (double size : {1e80, 1e110, 1e200, 1e300}) {
+    // The volume of 1e110 m cubed is above 1.8e308 m^3; so are the first moment of 1e80 m and the second of
+    // 1e65 m.
+    for (double size : {1e65, 1e80, 1e110, 1e200, 1e300}) {
         expectRefused(makeHull(boxMesh(Vec3::Constant(size), {size, 0, 0})), HullError::notFinite);
         expectRefused(make(Sphere{{size, 0, 0}, size}), HullError::notFinite);
         expectRefused(make(makeCylinder({size, 0, 0}, Vec3::UnitZ(), size, size)), HullError::notFinite);
@@ -339,7 +349,7 @@ TEST(Placed, IsScaledTurnedAndMoved) {
     Random random(5);
     for (int i = 0; i < 100; ++i) {
         const Pose pose{random.inCube(3), random.orientation()};
-        const double scale = random.uniform(0.5, 2);
+        const double scale = random.uniform(0.5, 2) * (random.coin() ? 1 : -1);  // below 0: mirrored
         const auto place = [&](const Vec3& p) {
             return Vec3(pose.position + pose.orientation * (scale * p));
         };
@@ -351,7 +361,13 @@ TEST(Placed, IsScaledTurnedAndMoved) {
 
         const auto sphere = std::get<Sphere>(placed(Sphere{{1, 2, 3}, 0.5}, pose, scale));
         EXPECT_TRUE(isNear(sphere.centre, place({1, 2, 3}), rounding));
-        EXPECT_DOUBLE_EQ(sphere.radius, 0.5 * scale);
+        EXPECT_DOUBLE_EQ(sphere.radius, 0.5 * std::abs(scale));
+
+        const SolidOfRevolution cone = makeCone({1, 2, 3}, Vec3::UnitY(), 0.5, 1);
+        const auto solid = std::get<SolidOfRevolution>(placed(cone, pose, scale));
+        const VolumeMoments before = volumeMoments(cone), after = volumeMoments(solid);
+        EXPECT_NEAR(after.volume, std::pow(std::abs(scale), 3) * before.volume, rounding);
+        EXPECT_TRUE(isNear(after.centroid(), place(before.centroid()), rounding));
     }
 }
 
