@@ -294,7 +294,8 @@ void checkMoved(const Hull& hull, btCollisionShape& shape, Shapes& shapes, Input
     around.addChildShape(transform(input), &shape);
     const HullResult moved = hullFromShape(around);
     checkHull(moved);
-    if (!(fatness(hull) > 1e-3) || hull.bounds.centre.norm() > 10 * hull.bounds.radius) return;
+    if (!hull.meshIsClosed || !(fatness(hull) > 1e-3) || hull.bounds.centre.norm() > 10 * hull.bounds.radius)
+        return;
     BUOYANCY_EXPECT(moved.hull, "%s", moved.status.describe().c_str());
     const double off = moved.hull->moments.volume / hull.moments.volume - 1;
     BUOYANCY_EXPECT(std::abs(off) < 1e-3, "%g m^3, moved %g m^3", hull.moments.volume,

@@ -243,6 +243,18 @@ TEST(MakeHull, RefusesOpenMeshesThatEncloseLessThanNothing) {
     EXPECT_GT(result.status.openEdges, 0u);
 }
 
+/// Two boxes, each half within the other: neither is a cavity of the other, however they face.
+TEST(MakeHull, TurnsBothOfTwoSolidsThatCrossOutward) {
+    Random random(8);
+    for (int i = 0; i < 100; ++i) {
+        const Pose pose{random.inCube(3), random.orientation()};
+        const TriangleMesh crossing = boxMesh({0.8, 0.8, 0.8}, {0, 0, 0.5});
+        const HullResult result = makeHull(moved(joined(inverted(unitBox), crossing), pose));
+        ASSERT_TRUE(result.hull);
+        EXPECT_NEAR(result.hull->moments.volume, 1 + 0.8 * 0.8 * 0.8, 10 * rounding);
+    }
+}
+
 TEST(MakeHull, TakesWhatIsThinButSolid) {
     // A plank of 1 mm on 10 m, a hundred thousand times above what counts as a sheet, and a wire as thin.
     EXPECT_TRUE(makeHull(boxMesh({10, 1, 1e-3})).hull);
