@@ -228,6 +228,11 @@ TEST(MakeHull, RefusesSurfacesThatEncloseNothing) {
         expectRefused(makeHull(joined(turnedSheet, inverted(turnedSheet))), HullError::noVolume);
     }
     EXPECT_TRUE(mentions(makeHull(sheet).status, "encloses no volume"));
+    // So far away that the mean of equal coordinates is another one.
+    TriangleMesh pressed = tessellate(Sphere{Vec3::Zero(), 1}, 1);
+    for (Vec3& vertex : pressed.vertices)
+        vertex.z() = 6.9e28;
+    expectRefused(makeHull(pressed), HullError::noVolume);
     expectRefused(make(Sphere{Vec3::Zero(), 0}), HullError::noVolume);
     expectRefused(make(Sphere{Vec3::Zero(), -1}), HullError::noVolume);
     expectRefused(make(makeCylinder(Vec3::Zero(), Vec3::UnitZ(), 0, 1)), HullError::noVolume);
