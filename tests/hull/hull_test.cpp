@@ -239,13 +239,17 @@ TEST(MakeHull, RefusesSurfacesThatEncloseNothing) {
     expectRefused(make(makeCylinder(Vec3::Zero(), Vec3::UnitZ(), 1, 0)), HullError::noVolume);
 }
 
-/// A box with one corner drawn through it to the opposite one.
-TEST(MakeHull, RefusesOpenMeshesThatEncloseLessThanNothing) {
-    TriangleMesh mesh = unitBox;
-    mesh.vertices.front() = mesh.vertices.back();
-    const HullResult result = makeHull(mesh);
-    expectRefused(result, HullError::noVolume);
-    EXPECT_GT(result.status.openEdges, 0u);
+/// A box with one corner drawn through it to the opposite one, and a hole in it.
+TEST(MakeHull, MakesTheSameOfAnOpenMeshHoweverItFaced) {
+    for (std::ptrdiff_t hole = 0; hole < 12; ++hole) {
+        TriangleMesh mesh = without(unitBox, hole, 1);
+        mesh.vertices.front() = mesh.vertices.back();
+        const HullResult a = makeHull(mesh), b = makeHull(inverted(mesh));
+        ASSERT_TRUE(a.hull && b.hull) << hole;
+        EXPECT_GT(a.status.openEdges, 0u);
+        EXPECT_GT(a.hull->moments.volume, 0);
+        EXPECT_NEAR(a.hull->moments.volume, b.hull->moments.volume, rounding);
+    }
 }
 
 /// Two boxes, each half within the other: neither is a cavity of the other, however they face.
