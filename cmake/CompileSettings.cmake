@@ -17,6 +17,9 @@ function(buoyancy_compile_settings target)
             -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
         target_link_options(${target} PRIVATE -fsanitize=${sanitizers})
     endif()
+    if(BULLET_BUOYANCY_BUILD_FUZZERS)
+        target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
 endfunction()
 
 # What our installed libraries have in common beyond that.

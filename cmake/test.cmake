@@ -17,15 +17,38 @@ if(NOT JOBS)
     cmake_host_system_information(RESULT JOBS QUERY NUMBER_OF_LOGICAL_CORES)
 endif()
 
+# Whether a compiler brings libFuzzer: not every package of clang does.
+function(buoyancy_has_fuzzer compiler result)
+    file(MAKE_DIRECTORY "${source_dir}/build")
+    execute_process(
+        COMMAND "${CMAKE_COMMAND}" -E echo "extern \"C\" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }"
+        COMMAND "${compiler}" -x c++ - -fsanitize=fuzzer,address,undefined -o "${source_dir}/build/has_fuzzer"
+        RESULT_VARIABLE status
+        OUTPUT_QUIET ERROR_QUIET)
+    file(REMOVE "${source_dir}/build/has_fuzzer")
+    if(status EQUAL 0)
+        set(${result} TRUE PARENT_SCOPE)
+    else()
+        set(${result} FALSE PARENT_SCOPE)
+    endif()
+endfunction()
+
 set(skipped "")
+set(without_fuzzer "")
 if(NOT PRESETS)
     set(PRESETS release-float release-double sanitize-float sanitize-double sanitize-thread-double)
     set(clang_presets clang-float clang-double)
     find_program(clang clang++ NO_CACHE)
     if(clang)
         list(APPEND PRESETS ${clang_presets})
+        buoyancy_has_fuzzer("${clang}" has_fuzzer)
+        if(has_fuzzer)
+            list(APPEND PRESETS fuzz-double)
+        else()
+            set(without_fuzzer fuzz-double)
+        endif()
     else()
-        set(skipped ${clang_presets})
+        set(skipped ${clang_presets} fuzz-double)
     endif()
 endif()
 
@@ -73,6 +96,9 @@ endforeach()
 
 foreach(preset IN LISTS skipped)
     list(APPEND summary "${preset}: skipped, because clang++ is not installed")
+endforeach()
+foreach(preset IN LISTS without_fuzzer)
+    list(APPEND summary "${preset}: skipped, because clang++ comes without libFuzzer")
 endforeach()
 # An error reported this way makes the exit status a failure, and leaves the last word to the sum.
 if(failures)

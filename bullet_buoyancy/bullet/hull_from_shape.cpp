@@ -100,9 +100,18 @@ Reading readPolyhedron(const btPolyhedralConvexShape& polyhedron) {
     return hullOf(points);
 }
 
+/// Of a round shape: negative where it was mirrored, or made so, which leaves the shape what it is.
+double length(btScalar value) {
+    return std::abs(double(value));
+}
+
+Reading readSphere(const btSphereShape& sphere) {
+    return HullPart(Sphere{Vec3::Zero(), length(sphere.getRadius())});
+}
+
 Reading readCapsule(const btCapsuleShape& capsule) {
     const Vec3 end = double(capsule.getHalfHeight()) * Vec3::Unit(capsule.getUpAxis());
-    const double radius = double(capsule.getRadius());
+    const double radius = length(capsule.getRadius());
     if (!end.allFinite() || !std::isfinite(radius)) return HullError::notFinite;
     if (!(end.norm() > 0)) return HullPart(Sphere{Vec3::Zero(), radius});
     return HullPart(makeTaperedCapsule(-end, radius, end, radius));
@@ -110,14 +119,15 @@ Reading readCapsule(const btCapsuleShape& capsule) {
 
 Reading readCylinder(const btCylinderShape& cylinder) {
     const int axis = cylinder.getUpAxis();
-    return HullPart(makeCylinder(Vec3::Zero(), Vec3::Unit(axis), double(cylinder.getRadius()),
-                                 double(cylinder.getHalfExtentsWithMargin()[axis])));
+    return HullPart(makeCylinder(Vec3::Zero(), Vec3::Unit(axis), length(cylinder.getRadius()),
+                                 length(cylinder.getHalfExtentsWithMargin()[axis])));
 }
 
 Reading readCone(const btConeShape& cone) {
-    const Vec3 axis = Vec3::Unit(cone.getConeUpIndex());
-    const double height = double(cone.getHeight());
-    return HullPart(makeCone(-height / 2 * axis, axis, double(cone.getRadius()), height));
+    const double height = length(cone.getHeight());
+    Vec3 axis = Vec3::Unit(cone.getConeUpIndex());
+    if (cone.getHeight() < 0) axis = -axis;
+    return HullPart(makeCone(-height / 2 * axis, axis, length(cone.getRadius()), height));
 }
 
 /// Vertices round the unit sphere, moved outward so that the polyhedron has the volume of the sphere.
@@ -156,7 +166,7 @@ Reading readMultiSphere(const btMultiSphereShape& shape) {
     std::vector<Sphere> spheres;
     for (int i = 0; i < shape.getSphereCount(); ++i)
         spheres.push_back({toEigen(shape.getSpherePosition(i)).cwiseProduct(scaling),
-                           double(shape.getSphereRadius(i)) * std::abs(scaling.x())});
+                           length(shape.getSphereRadius(i)) * std::abs(scaling.x())});
     const auto isFinite = [](const Sphere& s) { return s.centre.allFinite() && std::isfinite(s.radius); };
     if (!std::all_of(spheres.begin(), spheres.end(), isFinite)) return HullError::notFinite;
     Reading reading;
@@ -286,7 +296,7 @@ Reading read(const btCollisionShape& shape) {
         case BOX_SHAPE_PROXYTYPE:
             return readBox(as<btBoxShape>(shape));
         case SPHERE_SHAPE_PROXYTYPE:
-            return HullPart(Sphere{Vec3::Zero(), double(as<btSphereShape>(shape).getRadius())});
+            return readSphere(as<btSphereShape>(shape));
         case CAPSULE_SHAPE_PROXYTYPE:
             return readCapsule(as<btCapsuleShape>(shape));
         case CYLINDER_SHAPE_PROXYTYPE:

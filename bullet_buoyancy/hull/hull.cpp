@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bullet_buoyancy/core/constants.h"
 #include "bullet_buoyancy/hull/closed_solids.h"
@@ -28,8 +29,18 @@ TriangleMesh roughMesh(const SolidOfRevolution& solid) {
     return tessellate(solid, 48);
 }
 
+/// What a mesh may enclose by rounding alone of coordinates far from the origin, m^3.
+double volumeOfRounding(const TriangleMesh& mesh, double size) {
+    double farthest = 0;
+    for (const Vec3& vertex : mesh.vertices)
+        farthest = std::max(farthest, vertex.cwiseAbs().maxCoeff());
+    return std::numeric_limits<double>::epsilon() * farthest * size * size;
+}
+
+/// An open mesh may enclose less than nothing.
 bool isSheet(const TriangleMesh& mesh, const VolumeMoments& moments) {
-    return std::abs(moments.volume) <= flatnessTolerance * std::pow(meshSize(mesh), 3);
+    const double size = meshSize(mesh);
+    return moments.volume <= flatnessTolerance * std::pow(size, 3) + volumeOfRounding(mesh, size);
 }
 
 bool isSheet(const Sphere&, const VolumeMoments& moments) {
@@ -40,7 +51,8 @@ bool isSheet(const SolidOfRevolution&, const VolumeMoments& moments) {
 }
 
 bool isFinite(const VolumeMoments& moments) {
-    return std::isfinite(moments.volume) && moments.firstMoment.allFinite();
+    return std::isfinite(moments.volume) && moments.firstMoment.allFinite() &&
+           moments.secondMoment.allFinite();
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& part) {

@@ -151,15 +151,24 @@ std::vector<Shell> joinedAtSeams(const TriangleMesh& mesh, std::vector<Shell> sh
     return joined;
 }
 
+/// With its own vertices only: what an open shell encloses is told about their mean.
 TriangleMesh meshOf(const TriangleMesh& mesh, const Shell& shell) {
+    std::vector<std::uint32_t> used;
+    used.reserve(3 * shell.triangles.size());
+    for (std::uint32_t triangle : shell.triangles)
+        used.insert(used.end(), mesh.triangles[triangle].begin(), mesh.triangles[triangle].end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+
     TriangleMesh part{{}, {}};
-    part.vertices.reserve(3 * shell.triangles.size());
+    for (std::uint32_t vertex : used)
+        part.vertices.push_back(mesh.vertices[vertex]);
     for (std::size_t i = 0; i < shell.triangles.size(); ++i) {
-        const Triangle& triangle = mesh.triangles[shell.triangles[i]];
-        const auto corner = std::uint32_t(part.vertices.size());
-        for (std::uint32_t vertex : triangle)
-            part.vertices.push_back(mesh.vertices[vertex]);
-        part.triangles.push_back({corner, corner + 1 + shell.flipped[i], corner + 2 - shell.flipped[i]});
+        Triangle triangle = mesh.triangles[shell.triangles[i]];
+        for (std::uint32_t& corner : triangle)
+            corner = std::uint32_t(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
+        if (shell.flipped[i]) std::swap(triangle[1], triangle[2]);
+        part.triangles.push_back(triangle);
     }
     return part;
 }

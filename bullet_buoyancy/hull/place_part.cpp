@@ -1,5 +1,7 @@
 #include "bullet_buoyancy/hull/place_part.h"
 
+#include <cmath>
+
 namespace bullet_buoyancy {
 
 namespace {
@@ -17,15 +19,15 @@ struct Place {
     }
 
     HullPart operator()(const Sphere& sphere) const {
-        return Sphere{point(sphere.centre), scale * sphere.radius};
+        return Sphere{point(sphere.centre), std::abs(scale) * sphere.radius};
     }
 
     HullPart operator()(SolidOfRevolution solid) const {
         solid.origin = point(solid.origin);
-        solid.axis = pose.orientation * solid.axis;
+        solid.axis = pose.orientation * (scale < 0 ? Vec3(-solid.axis) : solid.axis);
+        const double size = std::abs(scale);
         for (ProfilePiece& piece : solid.profile)
-            piece = {scale * piece.begin, scale * piece.end, scale * scale * piece.c0, scale * piece.c1,
-                     piece.c2};
+            piece = {size * piece.begin, size * piece.end, size * size * piece.c0, size * piece.c1, piece.c2};
         return solid;
     }
 };

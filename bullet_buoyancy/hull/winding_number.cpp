@@ -30,7 +30,8 @@ bool encloses(const TriangleMesh& outer, const TriangleMesh& inner) {
             (inner.vertices[triangle[0]] + inner.vertices[triangle[1]] + inner.vertices[triangle[2]]) / 3;
         excess += std::min(1.0, std::abs(windingNumber(outer, centroid))) - 0.5;
     }
-    return excess > 0;
+    constexpr double rounding = 1e-9;  // half within is not most
+    return excess > rounding;
 }
 
 }  // namespace bullet_buoyancy

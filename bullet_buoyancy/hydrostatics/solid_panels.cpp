@@ -16,8 +16,10 @@ namespace {
 /// smooth even at a pole, where it goes like a square root along the axis.
 class Profile {
 public:
-    /// A circle's quarter has x = sin t or cos t and a pole at one end; a half has two.
+    /// Part of a circle has x = sin t, even where it ends short of a pole; of other curves those that have a
+    /// pole at one end, or at both, as a quarter or half of one.
     static Profile side(const ProfilePiece& piece) {
+        if (piece.c2 < 0) return arc(piece);
         const bool fromPole = isPole(piece, piece.begin, 1), toPole = isPole(piece, piece.end, -1);
         const double length = piece.end - piece.begin;
         Profile profile;
@@ -30,6 +32,20 @@ public:
             profile.setSine(piece.begin, length, 0, pi / 2);
         else
             profile.setLinear(piece.begin, length);
+        return profile;
+    }
+
+    /// Of a circle, or an ellipse.
+    static Profile arc(const ProfilePiece& piece) {
+        const double centre = -piece.c1 / (2 * piece.c2);
+        const double half = std::sqrt(std::max(0.0, centre * centre - piece.c0 / piece.c2));
+        const auto angle = [&](double x) { return std::asin(std::clamp((x - centre) / half, -1.0, 1.0)); };
+        Profile profile;
+        profile.m_piece = piece;
+        if (half > 0)
+            profile.setSine(centre, half, angle(piece.begin), angle(piece.end));
+        else
+            profile.setLinear(piece.begin, piece.end - piece.begin);
         return profile;
     }
 

@@ -62,6 +62,19 @@ TEST(HullFromRoundShape, FollowsLocalScalingAsBulletDoes) {
     }
 }
 
+TEST(HullFromRoundShape, MayBeMirrored) {
+    for (int axis : {0, 1, 2}) {
+        SCOPED_TRACE(axis);
+        const auto cone = coneAlong(axis, 0.3, 0.8);
+        cone->setLocalScaling({-1, -1, -1});
+        Solid mirrored = coneSolid(0.3, 0.8, axis);
+        mirrored.centroid = -mirrored.centroid;
+        expectHull(*cone, mirrored);
+        expectHull(*capsuleAlong(axis, -0.3, -0.8), capsuleSolid(0.3, 0.8));
+    }
+    expectHull(btSphereShape(btScalar(-0.7)), ballSolid(0.7));
+}
+
 TEST(HullFromRoundShape, IsNotChangedByMargins) {
     for (double margin : {0.0, 0.1}) {
         const auto cylinder = cylinderAlong(1, 0.3, 0.8), cone = coneAlong(1, 0.3, 0.8),

@@ -76,6 +76,9 @@ TEST(HullFromUniformScaling, ScalesItsChild) {
     const auto cone = coneAlong(2, 0.3, 0.8), box = boxOf({0.3, 0.5, 0.7});
     const auto off = multiSphere({{{1, 2, 3}, 0.5}});
     expectHull(btUniformScalingShape(cone.get(), 2), coneSolid(0.6, 1.6, 2));
+    Solid mirrored = coneSolid(0.6, 1.6, 2);
+    mirrored.centroid = -mirrored.centroid;
+    expectHull(btUniformScalingShape(cone.get(), -2), mirrored);
     expectHull(btUniformScalingShape(box.get(), btScalar(0.5)), boxSolid({0.15, 0.25, 0.35}));
     expectHull(btUniformScalingShape(off.get(), 2), {ballSolid(1).volume, {2, 4, 6}, ballSolid(1).area});
 }

@@ -228,10 +228,40 @@ TEST(MakeHull, RefusesSurfacesThatEncloseNothing) {
         expectRefused(makeHull(joined(turnedSheet, inverted(turnedSheet))), HullError::noVolume);
     }
     EXPECT_TRUE(mentions(makeHull(sheet).status, "encloses no volume"));
+    // So far away that the mean of equal coordinates is another one.
+    TriangleMesh pressed = tessellate(Sphere{Vec3::Zero(), 1}, 1);
+    for (Vec3& vertex : pressed.vertices)
+        vertex.z() = 6.9e28;
+    expectRefused(makeHull(pressed), HullError::noVolume);
     expectRefused(make(Sphere{Vec3::Zero(), 0}), HullError::noVolume);
     expectRefused(make(Sphere{Vec3::Zero(), -1}), HullError::noVolume);
     expectRefused(make(makeCylinder(Vec3::Zero(), Vec3::UnitZ(), 0, 1)), HullError::noVolume);
     expectRefused(make(makeCylinder(Vec3::Zero(), Vec3::UnitZ(), 1, 0)), HullError::noVolume);
+}
+
+/// A box with one corner drawn through it to the opposite one, and a hole in it.
+TEST(MakeHull, MakesTheSameOfAnOpenMeshHoweverItFaced) {
+    for (std::ptrdiff_t hole = 0; hole < 12; ++hole) {
+        TriangleMesh mesh = without(unitBox, hole, 1);
+        mesh.vertices.front() = mesh.vertices.back();
+        const HullResult a = makeHull(mesh), b = makeHull(inverted(mesh));
+        ASSERT_TRUE(a.hull && b.hull) << hole;
+        EXPECT_GT(a.status.openEdges, 0u);
+        EXPECT_GT(a.hull->moments.volume, 0);
+        EXPECT_NEAR(a.hull->moments.volume, b.hull->moments.volume, rounding);
+    }
+}
+
+/// Two boxes, each half within the other: neither is a cavity of the other, however they face.
+TEST(MakeHull, TurnsBothOfTwoSolidsThatCrossOutward) {
+    Random random(8);
+    for (int i = 0; i < 100; ++i) {
+        const Pose pose{random.inCube(3), random.orientation()};
+        const TriangleMesh crossing = boxMesh({0.8, 0.8, 0.8}, {0, 0, 0.5});
+        const HullResult result = makeHull(moved(joined(inverted(unitBox), crossing), pose));
+        ASSERT_TRUE(result.hull);
+        EXPECT_NEAR(result.hull->moments.volume, 1 + 0.8 * 0.8 * 0.8, 10 * rounding);
+    }
 }
 
 TEST(MakeHull, TakesWhatIsThinButSolid) {
@@ -253,8 +283,9 @@ TEST(MakeHull, TakesHugeAndTinySolids) {
 }
 
 TEST(MakeHull, RefusesWhatOverflows) {
-    // The volume of 1e110 m cubed is above 1.8e308 m^3; so is the first moment of 1e80 m.
-    for (double size : {1e80, 1e110, 1e200, 1e300}) {
+    // The volume of 1e110 m cubed is above 1.8e308 m^3; so are the first moment of 1e80 m and the second of
+    // 1e65 m.
+    for (double size : {1e65, 1e80, 1e110, 1e200, 1e300}) {
         expectRefused(makeHull(boxMesh(Vec3::Constant(size), {size, 0, 0})), HullError::notFinite);
         expectRefused(make(Sphere{{size, 0, 0}, size}), HullError::notFinite);
         expectRefused(make(makeCylinder({size, 0, 0}, Vec3::UnitZ(), size, size)), HullError::notFinite);
@@ -339,7 +370,7 @@ TEST(Placed, IsScaledTurnedAndMoved) {
     Random random(5);
     for (int i = 0; i < 100; ++i) {
         const Pose pose{random.inCube(3), random.orientation()};
-        const double scale = random.uniform(0.5, 2);
+        const double scale = random.uniform(0.5, 2) * (random.coin() ? 1 : -1);  // below 0: mirrored
         const auto place = [&](const Vec3& p) {
             return Vec3(pose.position + pose.orientation * (scale * p));
         };
@@ -351,7 +382,13 @@ TEST(Placed, IsScaledTurnedAndMoved) {
 
         const auto sphere = std::get<Sphere>(placed(Sphere{{1, 2, 3}, 0.5}, pose, scale));
         EXPECT_TRUE(isNear(sphere.centre, place({1, 2, 3}), rounding));
-        EXPECT_DOUBLE_EQ(sphere.radius, 0.5 * scale);
+        EXPECT_DOUBLE_EQ(sphere.radius, 0.5 * std::abs(scale));
+
+        const SolidOfRevolution cone = makeCone({1, 2, 3}, Vec3::UnitY(), 0.5, 1);
+        const auto solid = std::get<SolidOfRevolution>(placed(cone, pose, scale));
+        const VolumeMoments before = volumeMoments(cone), after = volumeMoments(solid);
+        EXPECT_NEAR(after.volume, std::pow(std::abs(scale), 3) * before.volume, rounding);
+        EXPECT_TRUE(isNear(after.centroid(), place(before.centroid()), rounding));
     }
 }
 

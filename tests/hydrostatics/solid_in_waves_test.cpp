@@ -63,5 +63,16 @@ TEST(SolidInWaves, BoundHoldsWherePressureDecays) {
     });
 }
 
+/// Of two spheres of which one is almost within the other, the larger lacks no more than a cap.
+TEST(SolidInWaves, BoundHoldsWhereASphereEndsShortOfItsPole) {
+    Random random(6);
+    const NamedHull hull{"nearly nested spheres",
+                         hullOf({makeTaperedCapsule(Vec3::Zero(), 0.1, 0.55 * Vec3::UnitX(), 0.6)})};
+    for (std::size_t i = 0; i < std::size_t(posesAHull() / 20); ++i) {
+        const Case c = anyCase(hull, randomSea(i, random), PressureModel::hydrostatic, random);
+        EXPECT_LE(c.error, c.bound + ofReference) << c.name << ", tolerance " << c.tolerance;
+    }
+}
+
 }  // namespace
 }  // namespace bullet_buoyancy::test

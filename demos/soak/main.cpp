@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+
+#include "scenes/command_line.h"
+#include "scenes/flotsam.h"
+#include "scenes/sea.h"
+#include "scenes/stopwatch.h"
+#include "soak/boom.h"
+#include "soak/resident_memory.h"
+#include "soak/watch.h"
+
+namespace bullet_buoyancy::demo {
+namespace {
+
+using namespace scenes;
+
+struct Options {
+    FlotsamDef scene;
+    SeaDef sea;
+    double hours = 24, dt = 1.0 / 60;  // dt in s
+    bool quick = false;
+};
+
+/// From here on, everything is afloat that was dropped, s.
+constexpr double settled = 30;
+
+/// Contacts and their caches are as many in the end as the most that were there at a time, and that is not
+/// reached within minutes.
+constexpr double memoryAllowance = 4 << 20;  // bytes
+
+/// What is held against the end of the run: the most of the first part.
+class MemoryWatch {
+public:
+    explicit MemoryWatch(double until) : m_until(until) {}
+
+    void look(double time) {
+        m_last = residentMemory();
+        if (time <= m_until) m_first = std::max(m_first, m_last);
+    }
+
+    bool isKnown() const { return m_last > 0; }
+    double growth() const { return m_last - m_first; }  ///< bytes
+    double last() const { return m_last; }
+
+private:
+    double m_until, m_first = 0, m_last = 0;
+};
+
+void printHead(const Options& options) {
+    std::printf("%d bodies in a JONSWAP sea of %g m and %g s, for %g h in steps of %.4g s\n",
+                options.scene.bodies, options.sea.height, options.sea.period, options.hours, options.dt);
+    std::printf("%10s %9s %9s %9s %9s %9s %9s %9s\n", "", "s a s", "J/kg", "fastest", "farthest", "longest",
+                "ledger", "memory");
+    std::printf("%10s %9s %9s %9s %9s %9s %9s %9s\n", "h", "", "mean", "m/s", "m", "s", "", "MiB");
+}
+
+void printWindow(double time, double rate, const WatchWindow& seen, double memory) {
+    std::printf("%10.3f %9.1f %9.4f %9.2f %9.2f %9.1f %9.1e %9.2f\n", time / 3600, rate, seen.energy,
+                seen.speed, seen.distance, seen.sunk, seen.ledger, memory / (1 << 20));
+    std::fflush(stdout);
+}
+
+int finish(const FlotsamScene& scene, const Watch& watch, const MemoryWatch& memory) {
+    std::printf("hash of the final state %016" PRIx64 "\n", hashOf(scene));
+    bool isWell = true;
+    if (!memory.isKnown())
+        std::printf("memory: not told by this system\n");
+    else if (memory.growth() > memoryAllowance) {
+        std::printf("memory: grew by %.2f MiB\n", memory.growth() / (1 << 20));
+        isWell = false;
+    }
+    if (!watch.complaint().empty()) {
+        std::printf("%s\n", watch.complaint().c_str());
+        isWell = false;
+    }
+    std::printf(isWell ? "all is well\n" : "all is not well\n");
+    return isWell ? 0 : 1;
+}
+
+/// Stops at the first that is not as a sea would leave it.
+int run(const Options& options) {
+    Sea sea(options.sea);
+    if (!sea.status()) {
+        std::fprintf(stderr, "soak: sea: %s\n", sea.status().describe().c_str());
+        return 1;
+    }
+    FlotsamScene scene(options.scene, sea.water());
+    const Boom boom(std::sqrt(options.scene.bodies * options.scene.area / pi), 10);
+    const auto step = [&] {
+        boom.pull(scene);
+        scene.step(options.dt);
+    };
+    while (scene.time() < settled)
+        step();
+
+    printHead(options);
+    const double end = settled + 3600 * options.hours;
+    const double window = std::clamp(3600 * options.hours / 24, 10.0, 600.0);  // s
+    Watch watch(scene, sea, limitsIn(sea, scene));
+    MemoryWatch memory(settled + std::max((end - settled) / 20, 2 * window));
+    while (scene.time() < end && watch.complaint().empty()) {
+        const double start = scene.time(), clock = wallTime();
+        while (scene.time() < start + window && watch.complaint().empty()) {
+            step();
+            watch.look();
+        }
+        memory.look(scene.time());
+        printWindow(scene.time() - settled, (scene.time() - start) / (wallTime() - clock), watch.next(),
+                    memory.last());
+    }
+    return finish(scene, watch, memory);
+}
+
+}  // namespace
+}  // namespace bullet_buoyancy::demo
+
+int main(int argc, char** argv) {
+    bullet_buoyancy::demo::Options options;
+    options.scene.bodies = 20;
+    options.scene.buoyancy.tolerance = 1e-2;
+    options.sea.spreading = 10;
+    options.sea.components = 64;
+    CLI::App app{
+        "Leaves crates, barrels, buoys, fenders, spars, planks, lumps, rafts and a boat in an irregular sea "
+        "for a day,\nwithin a boom. Exit status 1 if any flies, sinks, runs wild or is lost, or if memory "
+        "grows.",
+        "soak"};
+    app.option_defaults()->always_capture_default();
+    app.add_option("--hours", options.hours, "simulated")->check(CLI::Range(1e-3, 1e5));
+    app.add_option("--bodies", options.scene.bodies, "pieces")->check(CLI::Range(1, 10000));
+    app.add_option("--area", options.scene.area, "of the sea within the boom, m^2 a body; below 1: heaps")
+        ->check(CLI::Range(0.01, 1e4));
+    app.add_option("--seed", options.scene.seed, "of the pieces");
+    app.add_option("--height", options.sea.height, "significant height of the waves, m")
+        ->check(CLI::Range(0.0, 20.0));
+    app.add_option("--period", options.sea.period, "of the spectrum's peak, s")->check(CLI::Range(0.5, 30.0));
+    app.add_option("--sea-seed", options.sea.seed, "of the waves");
+    app.add_option("--dt", options.dt, "length of a step, s")->check(CLI::Range(1e-4, 0.1));
+    app.add_flag("--quick", options.quick, "only a minute");
+    int exitStatus = 0;
+    if (!bullet_buoyancy::scenes::parse(app, argc, argv, exitStatus)) return exitStatus;
+    if (options.quick) options.hours = 1.0 / 60;
+    return bullet_buoyancy::demo::run(options);
+}
