@@ -5,8 +5,8 @@
 
 #include "bullet_buoyancy/bullet/convert.h"
 #include "recording/film_options.h"
+#include "recording/flotsam_cast.h"
 #include "recording/shaded_mesh.h"
-#include "recording/world_film.h"
 #include "scenes/command_line.h"
 #include "scenes/flotsam.h"
 #include "scenes/interruption.h"
@@ -26,36 +26,6 @@ struct Options {
     double duration = 30, dt = 1.0 / 60;  // s
     recording::FilmOptions film;
 };
-
-recording::Look lookOf(Flotsam kind) {
-    using recording::Look;
-    switch (kind) {
-        case Flotsam::crate:
-            return Look::wood;
-        case Flotsam::barrel:
-            return Look::blue;
-        case Flotsam::buoy:
-            return Look::orange;
-        case Flotsam::fender:
-            return Look::yellow;
-        case Flotsam::spar:
-            return Look::darkWood;
-        case Flotsam::plank:
-        case Flotsam::raft:
-            return Look::paleWood;
-        case Flotsam::lump:
-            return Look::stone;
-        case Flotsam::boat:
-            break;
-    }
-    return Look::red;
-}
-
-recording::Cast castOf(const FlotsamScene& scene, const btRigidBody& body) {
-    for (const FlotsamPiece& piece : scene.pieces())
-        if (piece.body.get() == &body) return {nameOf(piece.kind), lookOf(piece.kind), piece.hull};
-    return {};
-}
 
 /// How far the lowest point of a piece is below the surface above its centre, m.
 double draughtOf(const FlotsamScene& scene, const FlotsamPiece& piece) {
@@ -118,11 +88,9 @@ int run(const Options& options) {
     }
     FlotsamScene scene(options.scene, sea.water());
     recording::WorldFilm film(options.film.film,
-                              [&](const btRigidBody& body) { return castOf(scene, body); });
+                              [&](const btRigidBody& body) { return recording::castOf(scene, body); });
     const auto look = [&] {
-        if (options.film.isWanted())
-            film.look({scene.world(), scene.water(), scene.time(),
-                       [&](const btRigidBody& body) { return scene.buoyancy().report(body); }});
+        if (options.film.isWanted()) film.look(recording::viewOf(scene));
     };
     look();
     const long steps = std::lround(options.duration / options.dt);

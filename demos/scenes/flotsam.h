@@ -51,6 +51,7 @@ public:
 
     double time() const { return m_buoyancy.time(); }  ///< s
     btDiscreteDynamicsWorld& world() { return m_world; }
+    const btDiscreteDynamicsWorld& world() const { return m_world; }
     const WaterField& water() const { return m_water; }
     BuoyancyAction& buoyancy() { return m_buoyancy; }
     const BuoyancyAction& buoyancy() const { return m_buoyancy; }

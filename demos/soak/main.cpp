@@ -3,8 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "recording/film_options.h"
+#include "recording/flotsam_cast.h"
 #include "scenes/command_line.h"
 #include "scenes/flotsam.h"
+#include "scenes/interruption.h"
+#include "scenes/progress.h"
 #include "scenes/sea.h"
 #include "scenes/stopwatch.h"
 #include "soak/boom.h"
@@ -21,6 +25,7 @@ struct Options {
     SeaDef sea;
     double hours = 24, dt = 1.0 / 60;  // dt in s
     bool quick = false;
+    recording::FilmOptions film;
 };
 
 /// From here on, everything is afloat that was dropped, s.
@@ -62,7 +67,8 @@ void printWindow(double time, double rate, const WatchWindow& seen, double memor
     std::fflush(stdout);
 }
 
-int finish(const FlotsamScene& scene, const Watch& watch, const MemoryWatch& memory) {
+/// Whether all is well.
+bool finish(const FlotsamScene& scene, const Watch& watch, const MemoryWatch& memory) {
     std::printf("hash of the final state %016" PRIx64 "\n", hashOf(scene));
     bool isWell = true;
     if (!memory.isKnown())
@@ -76,7 +82,7 @@ int finish(const FlotsamScene& scene, const Watch& watch, const MemoryWatch& mem
         isWell = false;
     }
     std::printf(isWell ? "all is well\n" : "all is not well\n");
-    return isWell ? 0 : 1;
+    return isWell;
 }
 
 /// Stops at the first that is not as a sea would leave it.
@@ -88,6 +94,8 @@ int run(const Options& options) {
     }
     FlotsamScene scene(options.scene, sea.water());
     const Boom boom(std::sqrt(options.scene.bodies * options.scene.area / pi), 10);
+    recording::WorldFilm film(options.film.film,
+                              [&](const btRigidBody& body) { return recording::castOf(scene, body); });
     const auto step = [&] {
         boom.pull(scene);
         scene.step(options.dt);
@@ -100,17 +108,25 @@ int run(const Options& options) {
     const double window = std::clamp(3600 * options.hours / 24, 10.0, 600.0);  // s
     Watch watch(scene, sea, limitsIn(sea, scene));
     MemoryWatch memory(settled + std::max((end - settled) / 20, 2 * window));
-    while (scene.time() < end && watch.complaint().empty()) {
+    Progress progress(end - settled, "s");
+    const auto goesOn = [&] { return watch.complaint().empty() && !isInterrupted(); };
+    while (scene.time() < end && goesOn()) {
         const double start = scene.time(), clock = wallTime();
-        while (scene.time() < start + window && watch.complaint().empty()) {
+        while (scene.time() < start + window && goesOn()) {
             step();
             watch.look();
+            if (options.film.isWanted()) film.look(recording::viewOf(scene));
+            progress.reach(scene.time() - settled);
+            progress.countStep(options.dt);
         }
         memory.look(scene.time());
+        progress.clear();
         printWindow(scene.time() - settled, (scene.time() - start) / (wallTime() - clock), watch.next(),
                     memory.last());
     }
-    return finish(scene, watch, memory);
+    const bool isWell = finish(scene, watch, memory);
+    if (options.film.isWanted() && !writeFilm(film.film(), options.film, "soak")) return 1;
+    return isWell ? 0 : 1;
 }
 
 }  // namespace
@@ -139,8 +155,10 @@ int main(int argc, char** argv) {
     app.add_option("--sea-seed", options.sea.seed, "of the waves");
     app.add_option("--dt", options.dt, "length of a step, s")->check(CLI::Range(1e-4, 0.1));
     app.add_flag("--quick", options.quick, "only a minute");
+    bullet_buoyancy::recording::addFilmOptions(app, options.film);
     int exitStatus = 0;
     if (!bullet_buoyancy::scenes::parse(app, argc, argv, exitStatus)) return exitStatus;
     if (options.quick) options.hours = 1.0 / 60;
-    return bullet_buoyancy::demo::run(options);
+    return bullet_buoyancy::scenes::runInterruptibly("soak",
+                                                     [&] { return bullet_buoyancy::demo::run(options); });
 }
