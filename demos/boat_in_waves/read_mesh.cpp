@@ -26,14 +26,6 @@ void append(TriangleMesh& result, const aiMesh& mesh) {
                 {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
 }
 
-/// A file may say so; assimp's triangulation ends the program there.
-bool hasFacesWithoutCorners(const aiScene& scene) {
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
-        for (unsigned j = 0; j < scene.mMeshes[i]->mNumFaces; ++j)
-            if (scene.mMeshes[i]->mFaces[j].mNumIndices == 0) return true;
-    return false;
-}
-
 }  // namespace
 
 bool canReadMeshes() {
@@ -42,14 +34,10 @@ bool canReadMeshes() {
 
 std::optional<TriangleMesh> readMesh(const std::string& file) {
     Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFile(file, 0);
-    if (scene && hasFacesWithoutCorners(*scene)) {
-        std::fprintf(stderr, "boat_in_waves: %s has faces without corners\n", file.c_str());
-        return std::nullopt;
-    }
-    if (scene)
-        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                                             aiProcess_DropNormals | aiProcess_JoinIdenticalVertices);
+    // assimp's other steps take for granted what is validated: that faces have corners, and those vertices.
+    const aiScene* scene = importer.ReadFile(
+        file, aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices |
+                  aiProcess_DropNormals | aiProcess_JoinIdenticalVertices);
     if (!scene) {
         std::fprintf(stderr, "boat_in_waves: %s\n", importer.GetErrorString());
         return std::nullopt;
