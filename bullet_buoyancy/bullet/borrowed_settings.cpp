@@ -26,6 +26,11 @@ void BorrowedSettings::borrow(btRigidBody& body) {
     }
 }
 
+bool BorrowedSettings::isAll(const btRigidBody& body) const {
+    return body.getLinearDamping() == 0 && body.getAngularDamping() == 0 &&
+           !(body.getFlags() & gyroscopicFlags);
+}
+
 void BorrowedSettings::giveBack(btRigidBody& body) const {
     body.setDamping(btScalar(m_linearDamping), btScalar(m_angularDamping));
     body.setFlags((body.getFlags() & ~gyroscopicFlags) | m_gyroscopicFlags);

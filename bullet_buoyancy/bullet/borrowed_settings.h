@@ -13,6 +13,9 @@ public:
     /// Again in each step, so that what the user sets in the meantime is what he gets back.
     void borrow(btRigidBody& body);
 
+    /// Whether there is nothing to borrow: the user has set nothing since.
+    bool isAll(const btRigidBody& body) const;
+
     void giveBack(btRigidBody& body) const;
 
     /// The rate (1/s) at which Bullet would slow the body, towards rest in the world.

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "bullet_buoyancy/bullet/calm_block.h"
 #include "bullet_buoyancy/bullet/convert.h"
 #include "bullet_buoyancy/bullet/draw_floating_body.h"
 
@@ -27,8 +28,8 @@ double gravityAlongDown(const btDynamicsWorld& world, const WaterFrame& frame) {
 /// Asks for a body that will be stepped soon: Bullet's lie scattered.
 void prefetch([[maybe_unused]] const btRigidBody& body) {
 #ifdef __GNUC__
-    constexpr std::size_t line = 64;
-    for (std::size_t offset = 0; offset < sizeof(btRigidBody); offset += line)
+    constexpr std::size_t line = 64, most = 16 * line;  // behind them is what solvers alone work with
+    for (std::size_t offset = 0; offset < std::min(sizeof(btRigidBody), most); offset += line)
         __builtin_prefetch(reinterpret_cast<const char*>(&body) + offset);
 #endif
 }
@@ -41,14 +42,19 @@ public:
         : m_bodies(bodies), m_objects(objects), m_water(water), m_dt(dt) {}
 
     void forLoop(int begin, int end) const override {
+        const bool mayBeCalm = CalmBlock::isFor(m_water);
+        CalmBlock block(m_water, m_dt);
         for (int i = begin; i < end; ++i) {
             if (i + 1 < end) prefetch(m_bodies[std::size_t(i + 1)].body());
             FloatingBody& floating = m_bodies[std::size_t(i)];
-            if (isInWorld(floating.body(), m_objects))
-                floating.step(m_water, m_dt);
-            else
+            if (!isInWorld(floating.body(), m_objects))
                 floating.skip(BodyState::notInWorld);
+            else if (mayBeCalm && floating.isAtEase(m_water, m_dt))
+                block.add(floating);
+            else
+                floating.step(m_water, m_dt);
         }
+        block.step();
     }
 
 private:

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "bullet_buoyancy/core/fill_rows.h"
 #include "bullet_buoyancy/hydrostatics/stiffness_bound.h"
+#include "bullet_buoyancy/hydrostatics/under_plane.h"
 #include "bullet_buoyancy/motion/energy.h"
 #include "bullet_buoyancy/motion/rest.h"
 
@@ -108,6 +110,7 @@ void FloatingBody::giveBack() {
 void FloatingBody::changeHull(std::shared_ptr<const Hull> hull) {
     m_def.hull = std::move(hull);
     lookAtHull();
+    m_isPlain = isPlain();
     findFlexibility();
     m_motion.meetOtherLoad();
     m_body->activate();
@@ -137,8 +140,7 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     m_isPressed = water.gravity > 0;
     const WaterLoad now(water, m_def, m_inertia.mass, m_gravity, m_borrowed.linearDampingRate(),
                         m_waterSamples);
-    StepperDef stepper{m_def.scheme, m_size, largestTurn,
-                       m_flexibility * water.field.density() * water.gravity};
+    StepperDef stepper = stepperDef(water);
     arrive(stepper, now, reweighed, dt);
     m_motion.settle(m_inertia, stepper, now, dt);
     stepper.turnLimit -= std::min(largestTurn, m_handover.lag(m_motion.motion().pose));
@@ -148,6 +150,35 @@ void FloatingBody::step(const WaterNow& water, double dt) {
     m_handover.give(*m_body, m_motion, turningOf(m_inertia, m_def.scheme), dt);
     m_state = stateOf(wetFraction(m_motion.load(), hull()));
     if (m_state != BodyState::dry || isStirred(water)) keepAwakeUnlessAtRest(water);
+}
+
+bool FloatingBody::isAtEase(const WaterNow& water, double dt) const {
+    return m_isPlain && wasStepped(m_state) && !m_wokenWithoutGravity &&
+           m_motion.isAtEase(stepperDef(water), dt) && m_body->isActive() &&
+           !m_body->isStaticOrKinematicObject() && m_borrowed.isAll(*m_body) && isInertiaKnown() &&
+           toEigen(m_body->getGravity()) == m_gravity && m_handover.isAsGiven(*m_body, dt);
+}
+
+void FloatingBody::put(CalmRows& rows, int lane) const {
+    m_motion.put(m_inertia, rows.arrivals, lane);
+    rows.arrivals.length.lane[lane] = length();
+    m_handover.put(*m_body, rows.returns, lane);
+    bullet_buoyancy::put(m_inertia.mass * m_gravity, rows.floating.weight, lane);
+    rows.floating.linearDrag.lane[lane] = m_def.linearDrag;
+    rows.floating.angularDamping.lane[lane] = m_def.angularDamping;
+    rows.floating.scales.lane[lane] = m_def.scaleByWetFraction;
+    rows.floating.airRate.lane[lane] = m_borrowed.linearDampingRate();
+    rows.displacement.setHull(lane, hull());
+}
+
+void FloatingBody::stepCalmly(const CalmRows& rows, int lane, const WaterNow& water, double dt) {
+    m_waterSamples = 0;
+    m_isPressed = water.gravity > 0;
+    m_handover.prepare(*m_body, m_motion.target(), rows.gifts, lane, dt);
+    m_motion.stepCalmly(rows.steps, rows.loads, lane);
+    m_handover.giveAsPrepared(*m_body);
+    m_state = stateOf(wetFraction(m_motion.load(), hull()));
+    if (m_state != BodyState::dry && !(rows.steps.isAtRest.lane[lane] > 0)) m_body->activate();
 }
 
 /// Still water lets sleeping bodies lie; moving water wakes those it may reach, and so does a change of mass.
@@ -182,8 +213,15 @@ bool FloatingBody::massHasChanged() {
                          now.turnsFreely != m_inertia.turnsFreely;
     m_inverseMass = inverseMass;
     m_inertia = now;
+    m_isPlain = isPlain();
     if (changed) findFlexibility();
     return changed;
+}
+
+/// By the settings, the hull and the inertia.
+bool FloatingBody::isPlain() const {
+    return m_def.scheme == StepScheme::guarded && isDisplacementAlone(hull(), {}) && m_inertia.turnsFreely &&
+           m_inertia.linearFactor == Vec3::Ones();
 }
 
 /// From the hull and the inertia.
@@ -279,14 +317,13 @@ void FloatingBody::keepAwakeUnlessAtRest(const WaterNow& water) {
 }
 
 bool FloatingBody::isAtRest(double gravity) const {
-    const double length = 2 * hull().bounds.radius;
     const Load& load = m_motion.load();
     const double speed = std::sqrt(2 * kineticEnergy(m_motion.motion(), m_inertia) * m_inverseMass);
-    const double angular = m_inertia.turnsFreely ? load.torque.norm() * m_inverseMass / length : 0;
+    const double angular = m_inertia.turnsFreely ? load.torque.norm() * m_inverseMass / length() : 0;
     const Unrest unrest{speed,
                         unbalanced(m_inertia.velocityChange(load.force).norm(), m_motion.linearRelief()),
                         unbalanced(angular, m_motion.angularRelief())};
-    return bullet_buoyancy::isAtRest(unrest, gravity, length);
+    return bullet_buoyancy::isAtRest(unrest, gravity, length());
 }
 
 BodyReport FloatingBody::report(const WaterFrame& frame) const {

@@ -6,6 +6,7 @@
 #include "bullet_buoyancy/bullet/body_report.h"
 #include "bullet_buoyancy/bullet/body_status.h"
 #include "bullet_buoyancy/bullet/borrowed_settings.h"
+#include "bullet_buoyancy/bullet/calm_rows.h"
 #include "bullet_buoyancy/bullet/handover.h"
 #include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/bullet/water_load.h"
@@ -30,6 +31,16 @@ public:
 
     /// One substep of `dt` > 0 (s), after Bullet has moved the body.
     void step(const WaterNow& water, double dt);
+
+    /// Whether it rocks or lies in calm water, as far as can be told before its step: one of those that
+    /// kernels may step, if `CalmBlock::isFor` the water. It is not asleep.
+    bool isAtEase(const WaterNow& water, double dt) const;
+
+    /// What the kernels take.
+    void put(CalmRows& rows, int lane) const;
+
+    /// One substep, as the kernels found it.
+    void stepCalmly(const CalmRows& rows, int lane, const WaterNow& water, double dt);
 
     /// The body is not touched, for this reason.
     void skip(BodyState reason);
@@ -56,9 +67,13 @@ public:
 private:
     friend struct StateMembers;
 
+    StepperDef stepperDef(const WaterNow& water) const {
+        return {m_def.scheme, m_size, largestTurn, m_flexibility * water.field.density() * water.gravity};
+    }
     bool staysAsleep(const WaterNow& water, bool reweighed);
     bool isStirred(const WaterNow& water) const;
     bool isInertiaKnown() const;
+    bool isPlain() const;
     bool massHasChanged();
     void lookAtHull();
     void findFlexibility();
@@ -70,6 +85,7 @@ private:
     Motion motionBefore(double dt) const;
     void keepAwakeUnlessAtRest(const WaterNow& water);
     bool isAtRest(double gravity) const;
+    double length() const { return 2 * hull().bounds.radius; }
 
     btRigidBody* m_body;
     BodyDef m_def;
@@ -80,6 +96,7 @@ private:
     int m_waterSamples = 0;
     double m_size = 0;         // largest distance of a wetted point from the centre of mass, m
     double m_flexibility = 0;  // square of the fastest oscillation over the water's weight density, m^2/kg
+    bool m_isPlain = false;    // by its settings, hull and inertia kernels may step it
     double m_inverseMass = 0;  // Bullet's
     Inertia m_inertia;
     Vec3 m_gravity = Vec3::Zero();  // Bullet's for the body, in the last step, m/s^2

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bullet_buoyancy/bullet/convert.h"
+#include "bullet_buoyancy/core/fill_rows.h"
 #include "bullet_buoyancy/motion/free_rotation.h"
 
 namespace bullet_buoyancy {
@@ -56,6 +57,11 @@ Vec3 gravityStep(const btRigidBody& body, double dt) {
 
 }  // namespace
 
+double Handover::longestStep(double dt) const {
+    constexpr double forgetting = 0.99;  // a step
+    return std::max(dt, forgetting * m_longestStep);
+}
+
 double Handover::lag(const Pose& ours) const {
     const double angle2 = squaredAngle(ours.orientation, m_pose.orientation);
     return angle2 <= square(64 * rounding) ? 0 : 2 * std::asin(std::min(1.0, std::sqrt(angle2) / 2));
@@ -63,8 +69,7 @@ double Handover::lag(const Pose& ours) const {
 
 void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning, double dt) {
     const Pose& ours = motion.motion().pose;
-    constexpr double forgetting = 0.99;  // a step
-    m_longestStep = std::max(dt, forgetting * m_longestStep);
+    m_longestStep = longestStep(dt);
     m_correction = correction(ours.position, m_pose.position) * (1 / m_longestStep);
     const Vec3 velocity = motion.departure().velocity + m_correction;
     const bool turnedOff = squaredAngle(ours.orientation, m_pose.orientation) > square(4 * rounding);
@@ -80,6 +85,37 @@ void Handover::give(btRigidBody& body, const BodyMotion& motion, Turning turning
     body.setAngularVelocity(m_spin);
     m_start = m_pose;
     m_dt = dt;
+}
+
+void Handover::put(const btRigidBody& body, ReturnRows& returns, int lane) const {
+    const btTransform& transform = body.getWorldTransform();
+    for (int row = 0; row < 3; ++row)
+        bullet_buoyancy::put(toEigen(transform.getBasis()[row]), returns.axes[row], lane);
+    bullet_buoyancy::put(toEigen(transform.getOrigin()), returns.position, lane);
+    bullet_buoyancy::put(toEigen(body.getLinearVelocity()), returns.velocity, lane);
+    bullet_buoyancy::put(toEigen(m_velocity), returns.given, lane);
+    bullet_buoyancy::put(toEigen(body.getTotalForce()), returns.force, lane);
+    bullet_buoyancy::put(toEigen(body.getGravity()), returns.gravity, lane);
+    returns.inverseMass.lane[lane] = double(body.getInvMass());
+    returns.longestStep.lane[lane] = longestStep(m_dt);
+}
+
+void Handover::prepare(const btRigidBody& body, const Pose& target, const GiftRows& gifts, int lane,
+                       double dt) {
+    const VectorRows &velocity = gifts.velocity, &spin = gifts.spin;
+    m_velocity.setValue(btScalar(velocity.x.lane[lane]), btScalar(velocity.y.lane[lane]),
+                        btScalar(velocity.z.lane[lane]));
+    m_spin.setValue(btScalar(spin.x.lane[lane]), btScalar(spin.y.lane[lane]), btScalar(spin.z.lane[lane]));
+    get(gifts.correction, lane, m_correction);
+    m_longestStep = longestStep(dt);
+    m_pose = {toEigen(body.getWorldTransform().getOrigin()), target.orientation};
+    m_start = {toEigen(body.getWorldTransform().getOrigin()), target.orientation};
+    m_dt = dt;
+}
+
+void Handover::giveAsPrepared(btRigidBody& body) const {
+    body.setLinearVelocity(m_velocity);
+    body.setAngularVelocity(m_spin);
 }
 
 Return Handover::take(const btRigidBody& body, const Pose& target, double dt, bool gravityActed) {

@@ -2,6 +2,7 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include "bullet_buoyancy/bullet/handover_kernels.h"
 #include "bullet_buoyancy/bullet/precision.h"
 #include "bullet_buoyancy/motion/body_motion.h"
 
@@ -25,6 +26,19 @@ public:
     /// it out after a body has been woken.
     Return take(const btRigidBody& body, const Pose& target, double dt, bool gravityActed);
 
+    /// Whether a body that comes from a step of `dt` (s) turns at the spin that it was given for such a step.
+    bool isAsGiven(const btRigidBody& body, double dt) const {
+        return dt == m_dt && body.getAngularVelocity() == m_spin;
+    }
+
+    /// What the kernels take of a body that is as given.
+    void put(const btRigidBody& body, ReturnRows& returns, int lane) const;
+
+    /// `give` as the kernels found it, in two parts, of a body that came back at its target. The second waits
+    /// for the first to be stored: best with something in between.
+    void prepare(const btRigidBody& body, const Pose& target, const GiftRows& gifts, int lane, double dt);
+    void giveAsPrepared(btRigidBody& body) const;
+
     /// The angle by which Bullet's body has yet to be turned to reach a pose of ours, rad.
     double lag(const Pose& ours) const;
 
@@ -41,6 +55,7 @@ private:
     Vec3 velocityChange(const btRigidBody& body, double dt, bool gravityActed) const;
     double positionTolerance(const btRigidBody& body) const;
     bool isAt(const Pose& target, const btRigidBody& body) const;
+    double longestStep(double dt) const;
     bool isWhereItsSpinLeads(const btRigidBody& body, double dt) const;
 
     btVector3 m_velocity{0, 0, 0}, m_spin{0, 0, 0};  // as given

@@ -81,15 +81,16 @@ private:
     }
     template <class T>
     static auto list(T& value, BodyMotion*) {
-        auto& [motion, load, leaving, kick, push, flight, knowsLoadAhead, isCalm, carriedForce, carriedTorque,
-               weightOfArrival, damps, isUnresolved, disturbed, velocityChange, angularImpulse,
-               arrivalVelocity, arrivalMomentum, settledVelocity, settledSpin, linearRelief, angularRelief,
-               isNew, dissipated, energy, available, workOfField, ledger, evaluations, loadFromHere] = value;
-        return std::tie(motion, load, leaving, kick, push, flight, knowsLoadAhead, isCalm, carriedForce,
-                        carriedTorque, weightOfArrival, damps, isUnresolved, disturbed, velocityChange,
-                        angularImpulse, arrivalVelocity, arrivalMomentum, settledVelocity, settledSpin,
-                        linearRelief, angularRelief, isNew, dissipated, energy, available, workOfField,
-                        ledger, evaluations, loadFromHere);
+        auto& [motion, load, isOwed, leaving, kick, push, flight, knowsLoadAhead, isCalm, carriedForce,
+               carriedTorque, weightOfArrival, damps, isUnresolved, isAtEase, disturbed, velocityChange,
+               angularImpulse, arrivalVelocity, arrivalMomentum, settledVelocity, settledSpin, linearRelief,
+               angularRelief, isNew, dissipated, energy, available, workOfField, ledger, evaluations,
+               loadFromHere] = value;
+        return std::tie(motion, load, isOwed, leaving, kick, push, flight, knowsLoadAhead, isCalm,
+                        carriedForce, carriedTorque, weightOfArrival, damps, isUnresolved, isAtEase,
+                        disturbed, velocityChange, angularImpulse, arrivalVelocity, arrivalMomentum,
+                        settledVelocity, settledSpin, linearRelief, angularRelief, isNew, dissipated, energy,
+                        available, workOfField, ledger, evaluations, loadFromHere);
     }
     template <class T>
     static auto list(T& value, Handover*) {
@@ -111,10 +112,10 @@ private:
     template <class T>
     static auto list(T& value, FloatingBody*) {
         [[maybe_unused]] auto& [body, def, state, hasMotion, isPressed, wokenWithoutGravity, waterSamples,
-                                size, flexibility, inverseMass, inertia, gravity, borrowed, handover, motion,
-                                lastSeenVelocity, knownShape, knownScaling] = value;
+                                size, flexibility, isPlain, inverseMass, inertia, gravity, borrowed, handover,
+                                motion, lastSeenVelocity, knownShape, knownScaling] = value;
         return std::tie(def, state, hasMotion, isPressed, wokenWithoutGravity, waterSamples, flexibility,
-                        inverseMass, inertia, gravity, borrowed, handover, motion, lastSeenVelocity);
+                        isPlain, inverseMass, inertia, gravity, borrowed, handover, motion, lastSeenVelocity);
     }
     template <class T>
     static auto list(T& value, RigidBodyState*) {

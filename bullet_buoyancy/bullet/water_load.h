@@ -18,7 +18,7 @@ struct WaterNow {
     BuoyancySettings settings;
 
     /// Its surface is a plane that stays where it is.
-    bool isCalm() const { return bounds.elevation == 0 || (bounds.still && bounds.isFlat()); }
+    bool isCalm() const { return bounds.isLevel() || (bounds.still && bounds.isFlat()); }
 };
 
 /// Submerged volume over the hull's, 0 to 1.

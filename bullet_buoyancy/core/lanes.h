@@ -80,7 +80,7 @@ inline constexpr int laneCount = int(sizeof(Lanes<Real>) / sizeof(Real));
 /// All lanes the same.
 template <typename Real>
 inline Lanes<Real> spread(Real value) {
-    return Lanes<Real>{} + value;
+    return value - Lanes<Real>{};  // which is the value, whatever its sign
 }
 
 /// Numbers and the bits that they are made of.

@@ -1,27 +1,17 @@
 // Compiled once for each instruction set: see core/lanes.h.
 
 #include "bullet_buoyancy/hydrostatics/clip_kernels.h"
-#include "bullet_buoyancy/hydrostatics/lane_vector.h"
+#include "bullet_buoyancy/hydrostatics/cut_triangles.h"
 
 namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL {
 
 namespace {
 
-/// Depths smaller than its square root may be rounded to nothing, m^2.
 template <typename Real>
-constexpr Real smallest = Real(sizeof(Real) == sizeof(float) ? 1e-37 : 1e-300);
-
-template <typename Real>
-struct LanePlane {
-    LaneVector<Real> up;
-    Lanes<Real> depthOfOrigin;
-
-    explicit LanePlane(const PackPlane& plane)
-        : up{spread(Real(plane.up[0])), spread(Real(plane.up[1])), spread(Real(plane.up[2]))},
-          depthOfOrigin(spread(Real(plane.depthOfOrigin))) {}
-
-    Lanes<Real> depth(const LaneVector<Real>& point) const { return depthOfOrigin - up.dot(point); }
-};
+LanePlane<Real> inAllLanes(const PackPlane& plane) {
+    return {{spread(Real(plane.up[0])), spread(Real(plane.up[1])), spread(Real(plane.up[2]))},
+            spread(Real(plane.depthOfOrigin))};
+}
 
 /// Adds the integrals of x_i x_j over triangles, times `factor` / 12.
 template <typename Real>
@@ -36,88 +26,44 @@ void addSecondMoments(const Lanes<Real>& factor, const LaneVector<Real>& a, cons
     sums[5] += factor * (s.z * s.z + a.z * a.z + b.z * b.z + c.z * c.z);
 }
 
-/// Triangles and the plane of the water, without branches. A triangle that is cut has one corner p alone on
-/// its side; with its neighbours q and r the plane cuts off the shares s and t of its two sides. What is wet
-/// of a triangle is the whole of it if two corners are, plus that tip if p is wet, minus it if p is dry.
+/// The shadow that the wet surface throws on the water, and how much of it is wet.
 template <typename Real>
-struct CutTriangles {
-    using Numbers = Lanes<Real>;
-
-    LaneVector<Real> a, b, c;
-    Numbers da, db, dc;       // depths
-    Truths<Real> la, lb, lc;  // which corner is alone
-    Truths<Real> whole;       // two corners or more are wet
-    Numbers s, t;             // no tip: 0
-    Numbers tipDepth;         // of p, without its sign
-
-    CutTriangles(const TrianglePack<Real>& pack, int lane, const LanePlane<Real>& plane)
-        : a(loadVector(pack.a, lane)), b(loadVector(pack.b, lane)), c(loadVector(pack.c, lane)) {
-        da = plane.depth(a), db = plane.depth(b), dc = plane.depth(c);
-        const Numbers none{};
-        const Truths<Real> wa = da > none, wb = db > none, wc = dc > none;
-        const Truths<Real> ab = wa ^ wb, bc = wb ^ wc, ca = wc ^ wa;
-        la = ab & ca, lb = ab & bc, lc = bc & ca;
-        whole = (wa & wb) | (wc & (wa | wb));
-        const Numbers dp = la ? da : (lb ? db : (lc ? dc : none)), dq = la ? db : da, dr = lc ? db : dc;
-        const Numbers toQ = dp - dq, toR = dp - dr, least = spread(smallest<Real>);
-        const Numbers product = toQ * toR;  // above zero where there is a tip
-        const Numbers share = dp / (product > least ? product : least);
-        s = share * toR;
-        t = share * toQ;
-        tipDepth = dp < none ? -dp : dp;
-    }
-
-    /// Depth and depth moments: weights of the corners, times 12.
-    void addPressure(const Numbers& areaUp, Numbers& depth, LaneVector<Real>& moment) const {
-        const Numbers none{};
-        const Numbers tip = s * t * tipDepth;  // a dry tip is taken away, and its depth is below zero
-        const Numbers q = tip * s, r = tip * t, p = tip * spread(Real(4)) - q - r;
-        const Numbers sum = da + db + dc;
-        const Numbers wa = (whole ? sum + da : none) + (la ? p : q);
-        const Numbers wb = (whole ? sum + db : none) + (lb ? p : (la ? q : r));
-        const Numbers wc = (whole ? sum + dc : none) + (lc ? p : r);
-        depth += areaUp * ((whole ? sum : none) + tip);
-        moment.x += areaUp * (wa * a.x + wb * b.x + wc * c.x);
-        moment.y += areaUp * (wa * a.y + wb * b.y + wc * c.y);
-        moment.z += areaUp * (wa * a.z + wb * b.z + wc * c.z);
-    }
-
-    /// The shadow that the wet surface throws on the water, and how much of it is wet.
-    void addShadow(const Numbers& areaUp, const Numbers& area, int lane, ShadowRows<Real>& rows) const {
-        const Numbers none{}, one = spread(Real(1)), third = spread(Real(1) / 3),
+void addShadow(const CutTriangles<Real>& triangles, const Lanes<Real>& areaUp, const Lanes<Real>& area,
+               int lane, ShadowRows<Real>& rows) {
+    const auto& [a, b, c, da, db, dc, la, lb, lc, whole, s, t, tipDepth] = triangles;
+    const Lanes<Real> none{}, one = spread(Real(1)), third = spread(Real(1) / 3),
                               twelfth = spread(Real(1) / 12);
-        const LaneVector<Real> p = select<Real>(la, a, select<Real>(lb, b, c));
-        const LaneVector<Real> q = p + s * (select<Real>(la, b, a) - p),
-                               r = p + t * (select<Real>(lc, b, c) - p);
-        const Numbers allOfIt = whole ? one : none, tip = whole ? -(s * t) : s * t;
-        addTo<Real>(rows.area, lane, area * (allOfIt + tip));
-        addTo<Real>(rows.shadow, lane, areaUp * (allOfIt + tip));
-        const LaneVector<Real> mean = third * allOfIt * (a + b + c) + third * tip * (p + q + r);
-        addTo<Real>(rows.shadowMoment[0], lane, areaUp * mean.x);
-        addTo<Real>(rows.shadowMoment[1], lane, areaUp * mean.y);
-        addTo<Real>(rows.shadowMoment[2], lane, areaUp * mean.z);
-        Numbers second[6] = {};
-        addSecondMoments<Real>(twelfth * allOfIt, a, b, c, second);
-        addSecondMoments<Real>(twelfth * tip, p, q, r, second);
-        for (int row = 0; row < 6; ++row)
-            addTo<Real>(rows.shadowMoments2[row], lane, areaUp * second[row]);
-    }
-};
+    const LaneVector<Real> p = select<Real>(la, a, select<Real>(lb, b, c));
+    const LaneVector<Real> q = p + s * (select<Real>(la, b, a) - p), r = p + t * (select<Real>(lc, b, c) - p);
+    const Lanes<Real> allOfIt = whole ? one : none, tip = whole ? -(s * t) : s * t;
+    addTo<Real>(rows.area, lane, area * (allOfIt + tip));
+    addTo<Real>(rows.shadow, lane, areaUp * (allOfIt + tip));
+    const LaneVector<Real> mean = third * allOfIt * (a + b + c) + third * tip * (p + q + r);
+    addTo<Real>(rows.shadowMoment[0], lane, areaUp * mean.x);
+    addTo<Real>(rows.shadowMoment[1], lane, areaUp * mean.y);
+    addTo<Real>(rows.shadowMoment[2], lane, areaUp * mean.z);
+    Lanes<Real> second[6] = {};
+    addSecondMoments<Real>(twelfth * allOfIt, a, b, c, second);
+    addSecondMoments<Real>(twelfth * tip, p, q, r, second);
+    for (int row = 0; row < 6; ++row)
+        addTo<Real>(rows.shadowMoments2[row], lane, areaUp * second[row]);
+}
 
 template <typename Real, WetRowsAsked asked>
 void clip(const TrianglePack<Real>* packs, const std::uint32_t* which, int count, const PackPlane& plane,
           WetRows<Real>& rows) {
-    const LanePlane<Real> water(plane);
+    const LanePlane<Real> water = inAllLanes<Real>(plane);
     for (int lane = 0; lane < packSize; lane += laneCount<Real>) {
         Lanes<Real> depth{};
         LaneVector<Real> moment{};
         for (int i = 0; i < count; ++i) {
             const TrianglePack<Real>& pack = packs[which ? which[i] : std::uint32_t(i)];
             const Lanes<Real> areaUp = water.up.dot(loadVector(pack.areaVector, lane));
-            const CutTriangles<Real> triangles(pack, lane, water);
+            const CutTriangles<Real> triangles(loadVector(pack.a, lane), loadVector(pack.b, lane),
+                                               loadVector(pack.c, lane), water);
             triangles.addPressure(areaUp, depth, moment);
             if constexpr (asked == WetRowsAsked::all)
-                triangles.addShadow(areaUp, load(pack.area.lane + lane), lane, rows.shadow);
+                addShadow<Real>(triangles, areaUp, load(pack.area.lane + lane), lane, rows.shadow);
         }
         addTo<Real>(rows.pressure.depth, lane, spread(Real(1) / 3) * depth);
         const Lanes<Real> twelfth = spread(Real(1) / 12);
@@ -182,7 +128,7 @@ LaneVector<Real> absolute(const LaneVector<Real>& v) {
 
 template <typename Real, WetRowsAsked asked>
 int open(const Cluster<Real>& cluster, const PackPlane& plane, WetRows<Real>& rows, std::uint8_t* cut) {
-    const LanePlane<Real> water(plane);
+    const LanePlane<Real> water = inAllLanes<Real>(plane);
     const LaneVector<Real> reach = absolute<Real>(water.up);
     const Lanes<Real> none{}, one = spread(Real(1));
     alignas(64) Real isCut[packSize];

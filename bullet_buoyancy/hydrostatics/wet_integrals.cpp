@@ -39,7 +39,6 @@ HydrostaticResult toResult(const Displacement& displaced, const Pose& pose, cons
     if (displaced.volume != 0) result.centreOfBuoyancyFromCom = moment / displaced.volume;
     result.potentialEnergy = weightDensity * displaced.headVolume;
     result.forceErrorBound = weightDensity * displaced.error;
-    result.waterSamples = 1;
     return result;
 }
 

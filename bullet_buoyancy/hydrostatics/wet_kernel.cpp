@@ -1,6 +1,6 @@
 // Compiled once for each instruction set: see core/lanes.h.
 
-#include "bullet_buoyancy/hydrostatics/lane_vector.h"
+#include "bullet_buoyancy/hydrostatics/pack_lanes.h"
 #include "bullet_buoyancy/hydrostatics/wet_kernels.h"
 
 namespace bullet_buoyancy::BULLET_BUOYANCY_KERNEL {

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/core/fill_rows.h"
 #include "bullet_buoyancy/motion/energy_guard.h"
 #include "bullet_buoyancy/motion/free_rotation.h"
 
 namespace bullet_buoyancy {
 
 namespace {
-
-/// Phases, in rad a step, of the fastest oscillation that a body can have (StepperDef) up to which one look
-/// at its pose is enough. A body that others touch needs a second look for the one ahead, and strays by their
-/// doing anyway.
-constexpr double safePhase = 0.2, safePhaseInTouch = 0.5;
 
 /// Phases of the oscillation as it was met in the step: the leapfrog's amplitudes err by phase^2 / 8; the
 /// trapezoidal rule takes over up to six steps a period, and beyond three a period there is no motion left to
@@ -68,6 +64,31 @@ double shareWhileHeld(const Load& load, const Motion& motion, const Inertia& ine
     return far > 1 ? 1 / std::sqrt(far) : 1;
 }
 
+/// In calm water nothing moves.
+void get(const LoadRows& rows, int lane, Load& load) {
+    get(rows.force, lane, load.force);
+    get(rows.torque, lane, load.torque);
+    load.potential = rows.potential.lane[lane];
+    load.potentialRounding = rows.potentialRounding.lane[lane];
+    load.dragRate = rows.dragRate.lane[lane];
+    load.dampingRate = rows.dampingRate.lane[lane];
+    load.mediumVelocity.setZero();
+    load.displacement = rows.displacement.lane[lane];
+    get(rows.centreFromCom, lane, load.centreFromCom);
+    load.forceErrorBound = rows.forceErrorBound.lane[lane];
+}
+
+void get(const MovingRows& rows, int lane, Motion& motion) {
+    get(rows.velocity, lane, motion.velocity);
+    get(rows.momentum, lane, motion.momentum);
+    get(rows.spin, lane, motion.spin);
+}
+
+void get(const DissipationRows& rows, int lane, Dissipation& dissipated) {
+    dissipated.byDrag = rows.byDrag.lane[lane];
+    dissipated.byDamping = rows.byDamping.lane[lane];
+}
+
 }  // namespace
 
 void BodyMotion::start(const Motion& motion) {
@@ -104,8 +125,8 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     noteOthers();
 
     prepareKick(inertia, dt);
-    const bool owed = isHeld();  // others will take it: the body has it only when it leaves
-    if (!m_isNew && !owed) m_dissipated += endStep(m_motion, inertia, 1);
+    m_isOwed = isHeld();  // the body has it only when it leaves
+    if (!m_isNew && !m_isOwed) m_dissipated += endStep(m_motion, inertia, 1);
     m_energy = account(inertia, calm, foreseen);
     if (def.scheme == StepScheme::guarded && m_energy > m_available + m_load.potentialRounding) {
         limitEnergy(m_motion, inertia, m_load, {m_available, now.up(), m_isUnresolved});
@@ -114,8 +135,9 @@ void BodyMotion::settle(const Inertia& inertia, const StepperDef& def, const Loa
     m_settledVelocity = m_motion.velocity;
     m_settledSpin = m_motion.spin;
 
+    if (!m_isOwed) return;
     m_leaving = m_motion;
-    if (owed) endStep(m_leaving, inertia, shareWhileHeld(m_load, m_motion, inertia, def.size, dt));
+    endStep(m_leaving, inertia, shareWhileHeld(m_load, m_motion, inertia, def.size, dt));
 }
 
 void BodyMotion::prepareKick(const Inertia& inertia, double dt) {
@@ -216,6 +238,8 @@ void BodyMotion::depart(const Inertia& inertia, const StepperDef& def, const Loa
     m_disturbed = false;
     m_velocityChange.setZero();
     m_angularImpulse.setZero();
+    m_isAtEase = m_isCalm && m_linearRelief.isNone() && m_angularRelief.isNone() &&
+                 !(m_knowsLoadAhead || m_isUnresolved);
 }
 
 void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& ahead,
@@ -225,13 +249,50 @@ void BodyMotion::departAgain(const Inertia& inertia, const StepperDef& def, cons
     depart(inertia, def, ahead, dt);
 }
 
+void BodyMotion::put(const Inertia& inertia, ArrivalRows& arrivals, int lane) const {
+    const Motion& arrival = m_flight.arrival;
+    bullet_buoyancy::put(arrival.pose, arrivals.pose, lane);
+    bullet_buoyancy::put(arrival.velocity, arrivals.moving.velocity, lane);
+    bullet_buoyancy::put(arrival.momentum, arrivals.moving.momentum, lane);
+    bullet_buoyancy::put(arrival.spin, arrivals.moving.spin, lane);
+    arrivals.dissipated.byDrag.lane[lane] = m_dissipated.byDrag;
+    arrivals.dissipated.byDamping.lane[lane] = m_dissipated.byDamping;
+    arrivals.available.lane[lane] = m_available;
+    arrivals.mass.lane[lane] = inertia.mass;
+    bullet_buoyancy::put(inertia.inversePrincipal, arrivals.inversePrincipal, lane);
+}
+
+void BodyMotion::stepCalmly(const CalmStepRows& steps, const LoadRows& loads, int lane) {
+    Motion &departure = m_flight.departure, &arrival = m_flight.arrival;
+    m_evaluations = 1;
+    m_arrivalVelocity = arrival.velocity;
+    m_arrivalMomentum = arrival.momentum;
+    m_motion.pose = departure.pose = arrival.pose;
+    get(steps.settled, lane, m_motion);
+    get(loads, lane, m_load);
+    m_ledger.toDrag += steps.dissipated.byDrag.lane[lane];
+    m_ledger.toDamping += steps.dissipated.byDamping.lane[lane];
+    m_energy = steps.energy.lane[lane];
+    m_available = steps.available.lane[lane];
+    get(steps.settled.velocity, lane, m_settledVelocity);
+    get(steps.settled.spin, lane, m_settledSpin);
+
+    get(steps.departing, lane, departure);
+    get(steps.target, lane, arrival.pose);
+    get(steps.departing.velocity, lane, arrival.velocity);
+    get(steps.departing.momentum, lane, arrival.momentum);
+    get(steps.spinAtTarget, lane, arrival.spin);
+    get(steps.dissipatedNext, lane, m_flight.dissipated);
+    get(steps.dissipatedNext, lane, m_dissipated);
+}
+
 /// All of the flight but the load at its end.
 void BodyMotion::flyExplicitly(const Inertia& inertia, const StepperDef& def, double dt) {
     m_kick.extraForce = linearRelief() * m_kick.linear.lostInTwoSteps();
     m_kick.extraTorque = angularRelief() * m_kick.angular.lostInTwoSteps();
     const double share = isHeld() ? shareWhileHeld(m_load, m_motion, inertia, def.size, dt) : 1;
     Motion& departure = m_flight.departure;
-    departure = m_leaving;
+    departure = leaving();
     m_flight.dissipated = m_kick.apply(departure, inertia, share == 1 ? m_push : share * m_push);
     m_flight.arrival = fly(departure, inertia, dt, turningOf(inertia, def.scheme), def.turnLimit);
 }
@@ -265,7 +326,7 @@ void BodyMotion::flyWithCare(const Inertia& inertia, const StepperDef& def, cons
 
     m_isUnresolved = true;
     if (m_isCalm) lookFromHere();
-    const FlightStart start{m_leaving, m_load, stiffness, def.turnLimit,
+    const FlightStart start{leaving(), m_load, stiffness, def.turnLimit,
                             m_isCalm ? nullptr : &m_loadFromHere};
     constexpr double converged = 1e-3;  // what Newton's method leaves
     const double implicitness = smoothStep((phase - resolvedPhase) / (unresolvedPhase - resolvedPhase));
@@ -278,8 +339,8 @@ void BodyMotion::flyWithCare(const Inertia& inertia, const StepperDef& def, cons
 /// Across `up`, without turning: in a calm field the load stays as it is.
 Flight BodyMotion::slideAlong(const Inertia& inertia, const LoadField& ahead, double dt) {
     Flight flight;
-    flight.departure = m_leaving;
-    flight.departure.velocity -= ahead.up().dot(m_leaving.velocity) * ahead.up();
+    flight.departure = leaving();
+    flight.departure.velocity -= ahead.up().dot(leaving().velocity) * ahead.up();
     flight.departure.setSpin(inertia, Vec3::Zero());
     flight.arrival = fly(flight.departure, inertia, dt, Turning::atSpin);
     flight.load = ahead.at(flight.arrival.pose);
@@ -306,7 +367,7 @@ double BodyMotion::workOfField(const Flight& flight) const {
 bool BodyMotion::isWithinEnergy(const Flight& flight, const Inertia& inertia, const Vec3& up, double strayed,
                                 double dt) const {
     if (flight.load.potential <= loadFromHere().potential) return true;
-    const double moving = kineticEnergy(m_leaving, inertia) - keptEnergy(m_leaving, inertia, up);
+    const double moving = kineticEnergy(leaving(), inertia) - keptEnergy(leaving(), inertia, up);
     const FlightEnd end = m_isCalm ? FlightEnd{flight.arrival, m_available} : endOf(flight, inertia, dt);
     const double limit = end.available - keptEnergy(end.motion, inertia, up) + strayed * moving;
     return flight.load.potential <= limit;

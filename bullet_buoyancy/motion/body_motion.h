@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bullet_buoyancy/motion/calm_step_kernels.h"
 #include "bullet_buoyancy/motion/energy_ledger.h"
 #include "bullet_buoyancy/motion/implicit_flight.h"
 #include "bullet_buoyancy/motion/kick.h"
@@ -65,6 +66,7 @@ public:
     void meetOtherLoad() {
         forgetLoadAhead();
         m_disturbed = true;
+        m_isAtEase = false;
     }
 
     /// Ends the step: after it, `motion` is that at the pose, and `load` what acts there. `now`: the field at
@@ -76,6 +78,18 @@ public:
 
     /// In place of the last time, since the step was of another length.
     void departAgain(const Inertia& inertia, const StepperDef& def, const LoadField& ahead, double dt);
+
+    /// Whether CalmStepKernels may take its next step, guarded and of `dt` (s), if it arrives at the target:
+    /// it was not disturbed for two steps, is owed no part of a load, and need not look ahead.
+    bool isAtEase(const StepperDef& def, double dt) const {
+        return m_isAtEase && def.stiffestRate2 * dt * dt <= safePhase * safePhase;
+    }
+
+    /// What the kernels take of it, `length` aside.
+    void put(const Inertia& inertia, ArrivalRows& arrivals, int lane) const;
+
+    /// As the kernels found it, in place of `arrive`, `settle` and `depart`.
+    void stepCalmly(const CalmStepRows& steps, const LoadRows& loads, int lane);
 
     const Motion& motion() const { return m_motion; }
     const Motion& departure() const { return m_flight.departure; }
@@ -90,6 +104,11 @@ public:
 
 private:
     friend struct StateMembers;  // saves and restores them
+
+    /// Phases, in rad a step, of the fastest oscillation that a body can have (StepperDef) up to which one
+    /// look at its pose is enough. A body that others touch needs a second look for the one ahead, and strays
+    /// by their doing anyway.
+    static constexpr double safePhase = 0.2, safePhaseInTouch = 0.5;
 
     /// After the kick that ends a flight, with the most energy that the body may have then, J.
     struct FlightEnd {
@@ -116,11 +135,13 @@ private:
                         double dt) const;
     FlightEnd endOf(const Flight& flight, const Inertia& inertia, double dt) const;
     bool keepsEnergy(const Flight& flight, const Inertia& inertia, double phase, double dt) const;
+    const Motion& leaving() const { return m_isOwed ? m_leaving : m_motion; }
     const Load& loadFromHere() const { return m_isCalm ? m_load : m_loadFromHere; }
 
     Motion m_motion;
     Load m_load;
-    Motion m_leaving;                    // the motion with which the next step begins
+    bool m_isOwed = false;               // others will take what ended the step
+    Motion m_leaving;                    // if so: the motion with which the next step begins
     Kick m_kick;                         // by the load, for half a step
     Push m_push;                         // of the load
     Flight m_flight;                     // the one under way
@@ -131,6 +152,7 @@ private:
     double m_weightOfArrival = 1;  // of the load there in that kick
     bool m_damps = false;          // the flight is one that takes energy for good
     bool m_isUnresolved = false;   // the flight takes the body farther than its motion is followed
+    bool m_isAtEase = false;       // none of all that, and nobody was in touch: see `isAtEase`
 
     // What others did on the way.
     bool m_disturbed = true;

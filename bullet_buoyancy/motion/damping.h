@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bullet_buoyancy/core/math_types.h"
+#include "bullet_buoyancy/motion/calm_limits.h"
 
 namespace bullet_buoyancy {
 
@@ -20,9 +21,8 @@ struct DampedStep {
     DampedStep(double decayRate, double step)
         : rate(decayRate), dt(step), decay(1), gain(step), gainOfTravel(step * step / 2) {
         const double x = rate * step;
-        constexpr double seriesEnds = 0.1;  // beyond, its terms that are left out pass rounding
         if (!(x > 0)) return;
-        if (x < seriesEnds) {
+        if (x < dampingSeriesEnds) {
             const double second = secondOrder(x), lost = x * (1 - x * second);
             decay = 1 - lost;
             gain = step * (1 - x * second);
@@ -66,6 +66,9 @@ public:
     void restart() { m_last = m_beforeLast = 0; }
 
     double share() const { return std::min(m_last, m_beforeLast); }
+
+    /// They took nothing of late.
+    bool isNone() const { return m_last == 0 && m_beforeLast == 0; }
 
     /// What the load added in the step that has passed, and what they did, as changes of a velocity or
     /// momentum.

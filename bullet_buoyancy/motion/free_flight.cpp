@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_buoyancy/motion/calm_limits.h"
 #include "bullet_buoyancy/motion/free_rotation.h"
 
 namespace bullet_buoyancy {
@@ -30,8 +31,7 @@ Eigen::Quaterniond turnedByMomentum(const Motion& motion, const Inertia& inertia
     const Vec3 momentumInBody = orientation.conjugate() * motion.momentum;
     constexpr double margin = 1 - 1e-9;
     const double expectedSquare = motion.spin.squaredNorm() * dt * dt;
-    constexpr double gentle = 0.02;  // rad: 1.2 rad/s at 60 Hz
-    if (const double small = std::min(gentle, limit); expectedSquare < small * small)
+    if (const double small = std::min(gentleTurn, limit); expectedSquare < small * small)
         return product(orientation, turnGently(inertia.principal, momentumInBody, dt));
     const double expected = std::sqrt(expectedSquare);
     double time = expected > margin * limit ? dt * margin * limit / expected : dt;

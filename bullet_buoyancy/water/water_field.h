@@ -19,6 +19,8 @@ struct WaterBounds {
     double curvatureChangeGrowth = 0;
     bool still = true;  ///< no water moves: bodies at rest may sleep
 
+    /// The surface is the still water level.
+    bool isLevel() const { return elevation == 0; }
     /// The surface is a plane z = const, at any time.
     bool isFlat() const { return slope == 0 && curvature == 0; }
 };

@@ -16,7 +16,7 @@ struct WaterPlane {
 };
 
 /// The plane of water whose surface does not slope or bend (`bounds().isFlat()`:
-/// asserted), seen from a body. One sample, at the centre of mass.
+/// asserted), seen from a body. One sample, at the centre of mass; none of a surface that `isLevel()`.
 WaterPlane waterPlaneInBody(const WaterField& water, const Pose& pose, double time);
 
 }  // namespace bullet_buoyancy
