@@ -1,42 +1,20 @@
 #include "bullet_buoyancy/hydrostatics/clip_kernels.h"
 
+#include "bullet_buoyancy/core/choose_kernels.h"
+
 namespace bullet_buoyancy {
 
-namespace portable {
-extern const ClipKernels<float> clipSingle;
-extern const ClipKernels<double> clipFull;
-}  // namespace portable
-
-#ifdef BULLET_BUOYANCY_X86_KERNELS
-namespace avx2 {
-extern const ClipKernels<float> clipSingle;
-extern const ClipKernels<double> clipFull;
-}  // namespace avx2
-
-namespace avx512 {
-extern const ClipKernels<float> clipSingle;
-extern const ClipKernels<double> clipFull;
-}  // namespace avx512
-#endif
+BULLET_BUOYANCY_CHOOSE_KERNELS(ClipKernels<float>, chooseSingle, clipSingle)
+BULLET_BUOYANCY_CHOOSE_KERNELS(ClipKernels<double>, chooseFull, clipFull)
 
 template <>
 const ClipKernels<float>& clipKernels(InstructionSet set) {
-#ifdef BULLET_BUOYANCY_X86_KERNELS
-    if (set == InstructionSet::avx512) return avx512::clipSingle;
-    if (set == InstructionSet::avx2) return avx2::clipSingle;
-#endif
-    static_cast<void>(set);
-    return portable::clipSingle;
+    return chooseSingle(set);
 }
 
 template <>
 const ClipKernels<double>& clipKernels(InstructionSet set) {
-#ifdef BULLET_BUOYANCY_X86_KERNELS
-    if (set == InstructionSet::avx512) return avx512::clipFull;
-    if (set == InstructionSet::avx2) return avx2::clipFull;
-#endif
-    static_cast<void>(set);
-    return portable::clipFull;
+    return chooseFull(set);
 }
 
 }  // namespace bullet_buoyancy
