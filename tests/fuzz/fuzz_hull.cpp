@@ -17,6 +17,8 @@ void checkRepairedTwice(const Hull& hull) {
     BUOYANCY_EXPECT(again.status.degenerateTriangles == 0 && again.status.weldedVertices == 0 &&
                         again.status.duplicateTriangles == 0,
                     "%s", again.status.describe().c_str());
+    // Which of two shells that cross or touch is within the other may be a matter of rounding.
+    if (!hull.meshIsClosed || again.status.flippedTriangles > 0) return;
     const double volume = hull.moments.volume, other = again.hull->moments.volume;
     const double reach = hull.bounds.centre.norm() + hull.bounds.radius;
     const double rounding = 1e-9 * volume + 1e-14 * reach * hull.surfaceArea;

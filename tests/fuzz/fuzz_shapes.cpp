@@ -282,9 +282,10 @@ private:
     std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
 };
 
-/// Its volume over that of the sphere about it.
-double fatness(const Hull& hull) {
-    return hull.moments.volume / (4 * pi / 3 * std::pow(hull.bounds.radius, 3));
+/// Whether it fills much of the sphere about it, with no more surface than that has.
+bool isCompact(const Hull& hull) {
+    const double r = hull.bounds.radius;
+    return hull.moments.volume > 1e-3 * (4 * pi / 3) * r * r * r && hull.surfaceArea < 4 * pi * r * r;
 }
 
 /// Reading a sheet may come to another end where it lies otherwise; a solid not. Points are rounded to 1e-7
@@ -294,8 +295,7 @@ void checkMoved(const Hull& hull, btCollisionShape& shape, Shapes& shapes, Input
     around.addChildShape(transform(input), &shape);
     const HullResult moved = hullFromShape(around);
     checkHull(moved);
-    if (!hull.meshIsClosed || !(fatness(hull) > 1e-3) || hull.bounds.centre.norm() > 10 * hull.bounds.radius)
-        return;
+    if (!hull.meshIsClosed || !isCompact(hull) || hull.bounds.centre.norm() > 10 * hull.bounds.radius) return;
     BUOYANCY_EXPECT(moved.hull, "%s", moved.status.describe().c_str());
     const double off = moved.hull->moments.volume / hull.moments.volume - 1;
     BUOYANCY_EXPECT(std::abs(off) < 1e-3, "%g m^3, moved %g m^3", hull.moments.volume,
