@@ -163,6 +163,20 @@ void WaterPatch::setErrorsOfWaveHead(const WaterView& water, const CellPoints& p
     }
 }
 
+/// Above the surface the head of short waves grows without limit, and nobody asks for it there: cells with
+/// their centre so high that it does more harm than the longer way from the surface below are expanded there.
+void WaterPatch::lowerDryCentres(const WaterView& water, const CellSurfaces& surfaces, CellPoints& points) {
+    for (int i = 0; i < cellCount(); ++i) {
+        const double height = points(i, 2) - surfaces(i, 0);
+        if (!(height > 0)) continue;
+        const double farther = (m_reach + height) / m_reach;
+        const double atSurface = water.field.headCurvatureChange(0) * farther * farther * farther;
+        if (water.field.headCurvatureChange(height) <= atSurface) continue;
+        points(i, 2) -= height;
+        m_expansions[std::size_t(i)].centre -= height * m_up;
+    }
+}
+
 WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double reach)
     : m_up(water.upInBody()), m_pressure(water.pressure) {
     place(box, reach);
@@ -182,6 +196,7 @@ WaterPatch::WaterPatch(const WaterView& water, const BodyBox& box, double reach)
         water.field.sampleSurface(points.leftCols<2>(), water.time, surfaces.leftCols<3>());
         surfaces.rightCols<4>().setZero();
     }
+    if (knowsBend && m_pressure == PressureModel::waveDynamic) lowerDryCentres(water, surfaces, points);
     setErrors(water, points, surfaces);
     for (int i = 0; i < count; ++i) {
         WaterExpansion& cell = m_expansions[std::size_t(i)];

@@ -117,6 +117,7 @@ public:
 
 private:
     void place(const BodyBox& box, double reach);
+    void lowerDryCentres(const WaterView& water, const CellSurfaces& surfaces, CellPoints& points);
     void setErrors(const WaterView& water, const CellPoints& points, const CellSurfaces& surfaces);
     void setErrorsOfWaveHead(const WaterView& water, const CellPoints& points, const CellSurfaces& surfaces);
 
