@@ -4,6 +4,7 @@
 
 #include "bullet_buoyancy/hydrostatics/evaluate_exact.h"
 #include "bullet_buoyancy/hydrostatics/evaluate_reference.h"
+#include "bullet_buoyancy/water/airy_waves.h"
 #include "support/known_solids.h"
 #include "support/random_sea.h"
 #include "support/worst_difference.h"
@@ -75,6 +76,27 @@ TEST(ErrorBound, HoldsForDynamicPressure) {
         EXPECT_LE(c.error(), c.bound() + ofReference)
             << c.hull->name << " in " << c.sea.kind << ", tolerance " << c.query.tolerance;
     });
+}
+
+/// Which grows as e^(k s) with the height s over the surface. A box that hardly dips in: cells of water have
+/// their centres metres above it. They cannot follow waves so short; but what they give is no more off than
+/// the force itself is large.
+TEST(ErrorBound, TheHeadOfShortWavesIsNotFollowedIntoTheAir) {
+    const Hull box = *makeHull(boxMesh({6, 6, 6})).hull;
+    AiryWavesDef def;
+    def.components = {WaveComponent()};
+    def.components[0].wavenumber = 20;
+    def.components[0].amplitude = 0.015;
+    const AiryWaves sea(WaterFrame::zUp(), def);
+    const Pose pose{{0.1, 0.2, 2.7}, Eigen::Quaterniond::Identity()};
+    HydrostaticQuery query;
+    query.pressure = PressureModel::waveDynamic;
+    query.time = 1;
+    const HydrostaticResult result = evaluateExact(box, pose, sea, query);
+    const HydrostaticResult truth = evaluateReference(box, pose, sea, query);
+    const double error = (result.forceWorld - truth.forceWorld).norm();
+    EXPECT_LE(error, result.forceErrorBound);
+    EXPECT_LT(error, truth.forceWorld.norm());
 }
 
 }  // namespace
