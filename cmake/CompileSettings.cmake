@@ -7,6 +7,7 @@ function(buoyancy_compile_settings target)
     else()
         target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
     endif()
+    target_compile_features(${target} PRIVATE cxx_std_17)
     set_target_properties(${target} PROPERTIES
         CXX_EXTENSIONS OFF
         COMPILE_WARNING_AS_ERROR ${BULLET_BUOYANCY_WARNINGS_AS_ERRORS})
