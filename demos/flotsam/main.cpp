@@ -9,6 +9,7 @@
 #include "recording/shaded_mesh.h"
 #include "scenes/command_line.h"
 #include "scenes/flotsam.h"
+#include "scenes/flotsam_options.h"
 #include "scenes/interruption.h"
 #include "scenes/progress.h"
 #include "scenes/sea.h"
@@ -20,10 +21,8 @@ namespace {
 
 using namespace scenes;
 
-struct Options {
-    FlotsamDef scene;
-    SeaDef sea;
-    double duration = 30, dt = 1.0 / 60;  // s
+struct Options : FlotsamOptions {
+    double duration = 30;  // s
     recording::FilmOptions film;
 };
 
@@ -123,23 +122,14 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     bullet_buoyancy::demo::Options options;
-    options.scene.buoyancy.tolerance = 1e-2;
-    options.sea.spreading = 10;
-    options.sea.components = 64;
     CLI::App app{
         "Drops crates, barrels, buoys, fenders, spars, planks, lumps, rafts and a boat into an irregular "
         "sea, "
         "and\ntells how they float. Exit status 1 if any is lost.",
         "flotsam"};
     app.option_defaults()->always_capture_default();
-    app.add_option("--bodies", options.scene.bodies, "pieces")->check(CLI::Range(1, 10000));
-    app.add_option("--seed", options.scene.seed, "of the pieces");
-    app.add_option("--height", options.sea.height, "significant height of the waves, m")
-        ->check(CLI::Range(0.0, 20.0));
-    app.add_option("--period", options.sea.period, "of the spectrum's peak, s")->check(CLI::Range(0.5, 30.0));
-    app.add_option("--sea-seed", options.sea.seed, "of the waves");
+    bullet_buoyancy::scenes::addFlotsamOptions(app, options);
     app.add_option("--duration", options.duration, "simulated time, s")->check(CLI::Range(0.1, 1e6));
-    app.add_option("--dt", options.dt, "length of a step, s")->check(CLI::Range(1e-4, 0.1));
     bullet_buoyancy::recording::addFilmOptions(app, options.film);
     int exitStatus = 0;
     if (!bullet_buoyancy::scenes::parse(app, argc, argv, exitStatus)) return exitStatus;

@@ -114,10 +114,13 @@ Flotsam drawKind(RandomNumbers& random) {
     return kind == 14 ? Flotsam::raft : Flotsam(kind % int(Flotsam::raft));
 }
 
+/// Of the pieces above still water at first, m.
+constexpr double lowest = 0.5;
+
 /// Those that are let go upright come first, and so lowest.
 std::vector<Flotsam> drawKinds(const FlotsamDef& def, RandomNumbers& random) {
     std::vector<Flotsam> kinds;
-    if (def.withBoat) kinds.push_back(Flotsam::boat);
+    kinds.push_back(Flotsam::boat);
     while (kinds.size() < std::size_t(def.bodies))
         kinds.push_back(drawKind(random));
     std::stable_partition(kinds.begin(), kinds.end(),
@@ -159,7 +162,7 @@ FlotsamScene::FlotsamScene(const FlotsamDef& def, const WaterField& water)
         const Eigen::Quaterniond turn =
             upright ? Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-pi, pi), Vec3::UnitZ()))
                     : random.orientation();
-        const double radius = piece.hull->bounds.radius, height = def.lowest + (upright ? 0 : radius);
+        const double radius = piece.hull->bounds.radius, height = lowest + (upright ? 0 : radius);
         const Vec3 place = freePlace(random, radius, m_pieces.empty() ? 0 : reach, height);
         piece.body->setWorldTransform(
             toTransform({water.frame().originWorld() + level * place, level * turn}));

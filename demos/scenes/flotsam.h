@@ -30,14 +30,13 @@ struct FlotsamPiece {
 struct FlotsamDef {
     int bodies = 60;
     std::uint64_t seed = 1;
-    double area = 4;       ///< of the sea, m^2 a body
-    double lowest = 0.5;   ///< of the pieces above still water at first, m
-    bool withBoat = true;  ///< the first piece is a boat in the middle; the others are of all other kinds
+    double area = 4;  ///< of the sea, m^2 a body
     BuoyancySettings buoyancy;
 };
 
 /// Crates, barrels, buoys, fenders, spars, planks, lumps of many corners, rafts of barrels and a boat,
-/// dropped from above into any water: a Bullet world of its own, the same for the same seed.
+/// dropped from above into any water: a Bullet world of its own, the same for the same seed. The boat is in
+/// the middle, the first of the pieces.
 class FlotsamScene {
 public:
     /// The water must outlive the scene; gravity is against its up.
@@ -50,7 +49,6 @@ public:
     void step(double dt);
 
     double time() const { return m_buoyancy.time(); }  ///< s
-    btDiscreteDynamicsWorld& world() { return m_world; }
     const btDiscreteDynamicsWorld& world() const { return m_world; }
     const WaterField& water() const { return m_water; }
     BuoyancyAction& buoyancy() { return m_buoyancy; }

@@ -7,6 +7,7 @@
 #include "recording/flotsam_cast.h"
 #include "scenes/command_line.h"
 #include "scenes/flotsam.h"
+#include "scenes/flotsam_options.h"
 #include "scenes/interruption.h"
 #include "scenes/progress.h"
 #include "scenes/sea.h"
@@ -20,10 +21,8 @@ namespace {
 
 using namespace scenes;
 
-struct Options {
-    FlotsamDef scene;
-    SeaDef sea;
-    double hours = 24, dt = 1.0 / 60;  // dt in s
+struct Options : FlotsamOptions {
+    double hours = 24;
     bool quick = false;
     recording::FilmOptions film;
 };
@@ -100,7 +99,7 @@ int run(const Options& options) {
         boom.pull(scene);
         scene.step(options.dt);
     };
-    while (scene.time() < settled)
+    while (scene.time() < settled && !isInterrupted())
         step();
 
     printHead(options);
@@ -135,25 +134,16 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     bullet_buoyancy::demo::Options options;
     options.scene.bodies = 20;
-    options.scene.buoyancy.tolerance = 1e-2;
-    options.sea.spreading = 10;
-    options.sea.components = 64;
     CLI::App app{
         "Leaves crates, barrels, buoys, fenders, spars, planks, lumps, rafts and a boat in an irregular sea "
         "for a day,\nwithin a boom. Exit status 1 if any flies, sinks, runs wild or is lost, or if memory "
         "grows.",
         "soak"};
     app.option_defaults()->always_capture_default();
+    bullet_buoyancy::scenes::addFlotsamOptions(app, options);
     app.add_option("--hours", options.hours, "simulated")->check(CLI::Range(1e-3, 1e5));
-    app.add_option("--bodies", options.scene.bodies, "pieces")->check(CLI::Range(1, 10000));
     app.add_option("--area", options.scene.area, "of the sea within the boom, m^2 a body; below 1: heaps")
         ->check(CLI::Range(0.01, 1e4));
-    app.add_option("--seed", options.scene.seed, "of the pieces");
-    app.add_option("--height", options.sea.height, "significant height of the waves, m")
-        ->check(CLI::Range(0.0, 20.0));
-    app.add_option("--period", options.sea.period, "of the spectrum's peak, s")->check(CLI::Range(0.5, 30.0));
-    app.add_option("--sea-seed", options.sea.seed, "of the waves");
-    app.add_option("--dt", options.dt, "length of a step, s")->check(CLI::Range(1e-4, 0.1));
     app.add_flag("--quick", options.quick, "only a minute");
     bullet_buoyancy::recording::addFilmOptions(app, options.film);
     int exitStatus = 0;

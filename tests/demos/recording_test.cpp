@@ -123,7 +123,7 @@ TEST(Recording, MeshesDisplaceWhatHullsDo) {
         const FlotsamPiece& piece = scene.pieces()[i++];
         return Cast{nameOf(piece.kind), Look::wood, piece.hull};
     });
-    film.look({const_cast<FlotsamScene&>(scene).world(), water, 0, {}});
+    film.look({scene.world(), water, 0, {}});
     const auto file = written(*film.film(), "flotsam");
     EXPECT_FALSE(file->animation());
     int kinds = 0;
