@@ -166,12 +166,12 @@ void WaterPatch::setErrorsOfWaveHead(const WaterView& water, const CellPoints& p
 /// Above the surface the head of short waves grows without limit, and nobody asks for it there: cells with
 /// their centre so high that it does more harm than the longer way from the surface below are expanded there.
 void WaterPatch::lowerDryCentres(const WaterView& water, const CellSurfaces& surfaces, CellPoints& points) {
+    const double atSurface = water.field.headCurvatureChange(0);
     for (int i = 0; i < cellCount(); ++i) {
         const double height = points(i, 2) - surfaces(i, 0);
         if (!(height > 0)) continue;
         const double farther = (m_reach + height) / m_reach;
-        const double atSurface = water.field.headCurvatureChange(0) * farther * farther * farther;
-        if (water.field.headCurvatureChange(height) <= atSurface) continue;
+        if (water.field.headCurvatureChange(height) <= atSurface * farther * farther * farther) continue;
         points(i, 2) -= height;
         m_expansions[std::size_t(i)].centre -= height * m_up;
     }

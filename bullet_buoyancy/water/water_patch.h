@@ -65,7 +65,8 @@ struct WaterExpansion {
 };
 
 /// The water about a hull as expansions about the centres of cells of its box: one batch of samples, as many
-/// as the waves' shortness asks for, however fine the hull's mesh.
+/// as the waves' shortness asks for, however fine the hull's mesh. Where pressure decays and waves are short,
+/// cells in the air are expanded about the surface below their centre.
 class WaterPatch {
 public:
     static constexpr int mostCells = 256;
@@ -106,7 +107,7 @@ public:
     PressureModel pressure() const { return m_pressure; }
     int cellCount() const { return m_counts.prod(); }
 
-    /// From the centre of a cell to its farthest point, as distances count, m.
+    /// From the centre of a cell to its farthest point, as distances count, m. No bound for cells in the air.
     double reach() const { return m_reach; }
 
     /// How far from their centres the cells' own errors hold, as distances count, m.
